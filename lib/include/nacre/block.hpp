@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include <nacre/material.hpp>
+#include <nacre/result.hpp>
+
+namespace nacre {
+
+/// The uniform block `nacre_Block` (shaders/nacre_uniforms.glsl), byte for byte as std140 lays it
+/// out: copy it into a uniform buffer. It holds what follows from the material alone, computed in
+/// double precision; the meaning of each member stands at `nacre_Material` (shaders/nacre_material.glsl).
+struct Block {
+    float eta[3];
+    float upperExponent;
+    float etaSquared[3];
+    float lowerExponent;
+    float oneMinusEtaSquared[3];
+    float specularWeight;
+    float normalReflectance[3];
+    float diffuseWeight;
+    float cyclesPerUm[3];
+    float thicknessLeastUm;
+    float cyclesPerUmTail[3];
+    float thicknessMostUm;
+    float diffuseFringe[3];
+    float noiseFrequency;
+    float deviationCos;
+    float deviationSin;
+    float azimuthCos;
+    float azimuthSin;
+    std::int32_t noiseOctaves;
+    std::int32_t noiseSeed;
+    std::int32_t lowerNormal;
+    std::int32_t padding;
+};
+static_assert(sizeof(Block) == 144, "std140: nine rows of four words, none of them padded by the compiler");
+
+/// The block of a material; the first fault that `validate` finds otherwise, never a NaN.
+/// Allocates nothing where the material is valid.
+Result<Block> pack(const Material& material);
+
+}  // namespace nacre

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nacre/result.hpp>
+
+namespace nacre {
+
+/// A file of the GLSL library, embedded: nothing is read at run time.
+struct GlslFile {
+    std::string_view name;  ///< `nacre_fresnel.glsl`
+    std::string_view text;
+};
+
+/// All files, each after those that it needs.
+const std::vector<GlslFile>& glslFiles();
+
+/// How the material reaches the shader.
+enum class GlslUniforms {
+    none,   ///< Functions only: the host fills nacre_Material by its own means.
+    block,  ///< A std140 block `nacre_Block`; see Block.
+    plain,  ///< Plain uniforms; see Uniforms.
+};
+
+struct GlslOptions {
+    int version = 330;  ///< 330 to 460; with es: 300 to 320.
+    bool es = false;
+    GlslUniforms uniforms = GlslUniforms::block;
+};
+
+/// The library as one text for a shader, to be followed by the host's own declarations and `main`:
+/// `#version`, precision for ES, then the functions. In a compiler's messages source N is
+/// `glslFiles()[N - 1]`, source 0 is what the host appends.
+/// An error where the version is none that the library supports.
+Result<std::string> glsl(const GlslOptions& options = {});
+
+}  // namespace nacre

@@ -1,0 +1,13 @@
+#pragma once
+
+// Everything: a layered material after Granier & Heidrich, "A Simple Layered RGB BRDF Model" (2003).
+
+#include <nacre/block.hpp>
+#include <nacre/evaluate.hpp>
+#include <nacre/glsl.hpp>
+#include <nacre/material.hpp>
+#include <nacre/parameters.hpp>
+#include <nacre/presets.hpp>
+#include <nacre/result.hpp>
+#include <nacre/uniforms.hpp>
+#include <nacre/validate.hpp>

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+#include <glm/vec3.hpp>
+
+#include <nacre/material.hpp>
+
+namespace nacre {
+
+/// One member of Material as a user meets it. The only place where names, units and ranges stand.
+struct Parameter {
+    using Member = std::variant<double Material::*, glm::dvec3 Material::*, int Material::*, LowerNormal Material::*>;
+
+    std::string_view name;    ///< As the member is spelt.
+    std::string_view symbol;  ///< The paper's, empty where it has none.
+    std::string_view unit;    ///< Empty for a plain number.
+    double least, most;       ///< Inclusive range, of each channel.
+    std::string_view option;  ///< Command-line option; members that share one are given together.
+    std::string_view effect;  ///< What turning it does.
+    Member member;
+};
+
+/// All members of Material in their order; their defaults are those of `Material{}`.
+const std::array<Parameter, 15>& parameters() noexcept;
+
+/// The names of LowerNormal's values in their order.
+const std::array<std::string_view, 4>& lowerNormalNames() noexcept;
+
+}  // namespace nacre

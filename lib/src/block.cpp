@@ -1,0 +1,62 @@
+#include <nacre/block.hpp>
+
+#include <cmath>
+#include <cstring>
+
+#include <nacre/validate.hpp>
+
+#include "model/material.hpp"
+
+namespace nacre {
+namespace {
+
+void store(float (&target)[3], glm::dvec3 value)
+{
+    for (int channel = 0; channel < 3; ++channel) target[channel] = static_cast<float>(value[channel]);
+}
+
+// The float nearest to value among those whose last 12 bits of significand are 0: the product with
+// another such float is exact.
+double head(double value)
+{
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    return std::ldexp(std::round(std::ldexp(fraction, 12)), exponent - 12);
+}
+
+}  // namespace
+
+Result<Block> pack(const Material& material)
+{
+    const std::vector<Fault> faults = validate(material);
+    if (!faults.empty()) return Error{"nacre::pack(): " + faults.front().message};
+
+    const model::Material m = model::derive(material);
+    const glm::dvec3 cyclesHead(head(m.cyclesPerUm.r), head(m.cyclesPerUm.g), head(m.cyclesPerUm.b));
+
+    Block block{};
+    store(block.eta, m.eta);
+    store(block.etaSquared, m.etaSquared);
+    store(block.oneMinusEtaSquared, m.oneMinusEtaSquared);
+    store(block.normalReflectance, m.normalReflectance);
+    store(block.cyclesPerUm, cyclesHead);
+    store(block.cyclesPerUmTail, m.cyclesPerUm - cyclesHead);
+    store(block.diffuseFringe, m.diffuseFringe);
+    block.upperExponent = static_cast<float>(m.upperExponent);
+    block.lowerExponent = static_cast<float>(m.lowerExponent);
+    block.specularWeight = static_cast<float>(m.specularWeight);
+    block.diffuseWeight = static_cast<float>(m.diffuseWeight);
+    block.thicknessLeastUm = static_cast<float>(m.thicknessLeastUm);
+    block.thicknessMostUm = static_cast<float>(m.thicknessMostUm);
+    block.noiseFrequency = static_cast<float>(m.noiseFrequency);
+    block.deviationCos = static_cast<float>(m.deviationCos);
+    block.deviationSin = static_cast<float>(m.deviationSin);
+    block.azimuthCos = static_cast<float>(m.azimuthCos);
+    block.azimuthSin = static_cast<float>(m.azimuthSin);
+    block.noiseOctaves = m.noiseOctaves;
+    block.noiseSeed = m.noiseSeed;
+    block.lowerNormal = m.lowerNormal;
+    return block;
+}
+
+}  // namespace nacre

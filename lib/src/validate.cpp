@@ -1,0 +1,56 @@
+#include <nacre/validate.hpp>
+
+#include <cmath>
+#include <sstream>
+
+#include <nacre/parameters.hpp>
+
+namespace nacre {
+namespace {
+
+std::string text(double value)
+{
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream.precision(9);
+    stream << value;
+    return stream.str();
+}
+
+// Builds no text unless there is a fault: packing a valid material allocates nothing.
+void checkRange(std::vector<Fault>& faults, const Parameter& parameter, double value, const char* channel = "")
+{
+    if (value >= parameter.least && value <= parameter.most) return;  // false for NaN
+    const std::string field = std::string(parameter.name) + channel;
+    const std::string got = text(value);
+    faults.push_back({field, got,
+                      "expected " + text(parameter.least) + " <= " + field + " <= " + text(parameter.most) + ", got " + got});
+}
+
+}  // namespace
+
+std::vector<Fault> validate(const Material& material)
+{
+    std::vector<Fault> faults;
+    for (const Parameter& parameter : parameters()) {
+        if (const auto* real = std::get_if<double Material::*>(&parameter.member)) {
+            checkRange(faults, parameter, material.**real);
+        } else if (const auto* rgb = std::get_if<glm::dvec3 Material::*>(&parameter.member)) {
+            checkRange(faults, parameter, (material.**rgb).r, ".r");
+            checkRange(faults, parameter, (material.**rgb).g, ".g");
+            checkRange(faults, parameter, (material.**rgb).b, ".b");
+        } else if (const auto* whole = std::get_if<int Material::*>(&parameter.member)) {
+            checkRange(faults, parameter, material.**whole);
+        } else if (const auto* choice = std::get_if<LowerNormal Material::*>(&parameter.member)) {
+            checkRange(faults, parameter, static_cast<int>(material.**choice));
+        }
+    }
+    if (material.thicknessLeastNm > material.thicknessMostNm) {
+        const std::string got = text(material.thicknessLeastNm);
+        faults.push_back({"thicknessLeastNm", got,
+                          "expected thicknessLeastNm <= thicknessMostNm (" + text(material.thicknessMostNm) + "), got " + got});
+    }
+    return faults;
+}
+
+}  // namespace nacre

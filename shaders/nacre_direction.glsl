@@ -1,0 +1,26 @@
+#ifndef NACRE_DIRECTION_GLSL
+#define NACRE_DIRECTION_GLSL
+
+// The unit vector along a, or the zero vector where a has no direction (zero, infinite, NaN).
+// Scaled by its largest component first, so that its square neither overflows nor underflows.
+// The test is one that NaN fails: max() may hide a NaN, the sum of squares does not.
+vec3 nacre_direction(vec3 a)
+{
+    float largest = max(max(abs(a.x), abs(a.y)), abs(a.z));
+    vec3 scaled = a / largest;
+    float squared = dot(scaled, scaled);
+    return squared >= 1.0 && squared <= 3.0 ? scaled * (1.0 / sqrt(squared)) : vec3(0.0);
+}
+
+// Two unit vectors that complete the unit vector n to a right-handed frame (x, y, n).
+// Duff et al. 2017, "Building an orthonormal basis, revisited": no direction of n is singular.
+void nacre_frame(vec3 n, out vec3 x, out vec3 y)
+{
+    float side = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (side + n.z);
+    float b = n.x * n.y * a;
+    x = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
+    y = vec3(b, side + n.y * n.y * a, -n.y);
+}
+
+#endif

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <nacre/block.hpp>
+#include <nacre/result.hpp>
+
+#include "gl/context.hpp"
+
+namespace nacre::test {
+
+/// One evaluation as the shader gets it: everything in float32.
+struct GpuInput {
+    Block block;
+    glm::vec3 light, view, upperNormal, lowerNormal;
+    float thicknessUm;
+};
+
+/// What the shader makes of it; the members of nacre::Evaluation.
+struct GpuOutput {
+    glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded;
+};
+
+/// Runs the library's GLSL, unmodified, once per input in a fragment shader with float32 targets.
+class GpuEvaluator {
+public:
+    static Result<GpuEvaluator> create(const demo::Context& context);
+
+    /// As many outputs as inputs, in their order. Fails where the driver reports an error.
+    Result<std::vector<GpuOutput>> run(const std::vector<GpuInput>& inputs) const;
+
+private:
+    explicit GpuEvaluator(const demo::Context& context) : gl_(&context.gl()) {}
+    const demo::GlFunctions* gl_;
+    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, input_ = 0;
+    std::vector<GLuint> outputs_;
+};
+
+}  // namespace nacre::test

@@ -1,0 +1,99 @@
+// Evaluates the model for every row of a CSV table: see --help.
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <iostream>
+
+#include "vectors.hpp"
+
+namespace {
+
+using namespace nacre;
+using Results = std::array<double, 18>;
+
+Result<std::vector<Results>> onCpu(const std::vector<test::Case>& cases)
+{
+    std::vector<Results> all;
+    for (const test::Case& one : cases) {
+        Result<Evaluation> evaluation = test::evaluate(one);
+        if (!evaluation) return evaluation.error();
+        all.push_back(test::results(*evaluation));
+    }
+    return all;
+}
+
+Result<std::vector<Results>> onGpu(const std::vector<test::Case>& cases)
+{
+    Result<demo::Context> context = demo::Context::create();
+    if (!context) return context.error();
+    Result<test::GpuEvaluator> evaluator = test::GpuEvaluator::create(*context);
+    if (!evaluator) return evaluator.error();
+    std::vector<test::GpuInput> inputs;
+    for (const test::Case& one : cases) {
+        Result<test::GpuInput> input = test::gpuInput(one);
+        if (!input) return input.error();
+        inputs.push_back(*input);
+    }
+    Result<std::vector<test::GpuOutput>> outputs = evaluator->run(inputs);
+    if (!outputs) return outputs.error();
+    std::vector<Results> all;
+    for (std::size_t i = 0; i < cases.size(); ++i) all.push_back(test::results(cases[i], (*outputs)[i]));
+    return all;
+}
+
+// 17 digits bring a double back exactly, 9 a float.
+std::string tableText(const test::CsvTable& table, const std::vector<Results>& results, int digits)
+{
+    std::string text;
+    const auto separate = [&] { text += text.empty() || text.back() == '\n' ? "" : ","; };
+    for (const auto* columns : {&test::inputColumns(), &test::resultColumns()}) {
+        for (const std::string& column : *columns) {
+            separate();
+            text += column;
+        }
+    }
+    text += '\n';
+    for (std::size_t row = 0; row < results.size(); ++row) {
+        for (const std::string& column : test::inputColumns()) {
+            separate();
+            text += table.rows[row][table.find(column)];
+        }
+        for (double value : results[row]) {
+            char number[40];
+            std::snprintf(number, sizeof number, ",%.*g", digits, value);
+            text += value != value ? ",nan" : number;
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+int fail(const Error& error)
+{
+    std::cerr << "nacre-eval: " << error.message << '\n';
+    return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app{
+        "Reads CSV with the columns lx..n1z, ior_r..b, thickness_nm, e0, e1, ior_outside and wavelength_nm_r..b on standard "
+        "input; writes them with rho, R, T, phi, diffuse and mean_cos per channel on standard output. Other columns are left out."};
+    std::string on = "cpu";
+    app.add_option("--on", on, "cpu: in double precision; gpu: the GLSL, in float32 (NACRE_CONTEXT=osmesa|egl)")
+        ->check(CLI::IsMember({"cpu", "gpu"}))
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+
+    Result<test::CsvTable> table = test::CsvTable::read(std::cin);
+    if (!table) return fail(table.error());
+    Result<std::vector<test::Case>> cases = test::readCases(*table);
+    if (!cases) return fail(cases.error());
+    Result<std::vector<Results>> results = on == "cpu" ? onCpu(*cases) : onGpu(*cases);
+    if (!results) return fail(results.error());
+    std::cout << tableText(*table, *results, on == "cpu" ? 17 : 9) << std::flush;
+    return std::cout ? 0 : fail({"cannot write to standard output"});
+}
