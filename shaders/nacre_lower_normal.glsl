@@ -32,7 +32,7 @@ vec3 nacre_lowerNormalGradient(nacre_Material m, vec3 upperNormal, vec3 gradient
 // seed is moved far beyond the octaves that the thickness uses.
 vec3 nacre_independentGradient(nacre_Material m, vec3 p)
 {
-    return nacre_turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed + 7919).xyz * 1.6;
+    return nacre_turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed + 7919).xyz;
 }
 
 #endif

@@ -7,10 +7,11 @@
 // seed; the analytic gradient comes along, for bump mapping.
 
 // A well-mixed 32-bit value per cell and seed: multiply and xorshift, the constants of the murmur3
-// finaliser (Appleby 2011) and of Teschner et al. 2003 for the cell.
+// finaliser (Appleby 2011) and of Teschner et al. 2003 for the cell. The lattice repeats every 65536
+// cells, so that the corners on both sides of its seam are the same.
 uint nacre_hash(ivec3 cell, int seed)
 {
-    uint h = uint(cell.x) * 73856093u ^ uint(cell.y) * 19349663u ^ uint(cell.z) * 83492791u ^ uint(seed) * 2654435769u;
+    uint h = uint(cell.x & 65535) * 73856093u ^ uint(cell.y & 65535) * 19349663u ^ uint(cell.z & 65535) * 83492791u ^ uint(seed) * 2654435769u;
     h = (h ^ (h >> 16u)) * 2246822507u;
     h = (h ^ (h >> 13u)) * 3266489909u;
     return h ^ (h >> 16u);
@@ -33,7 +34,7 @@ vec4 nacre_cornerRamp(ivec3 cell, int seed, vec3 offset)
 }
 
 // Noise of one octave at p: gradient in xyz, value in w, about -1 to 1.
-// The lattice repeats every 65536 cells, so that the cell of a distant point is still an int.
+// The cell of a distant point is taken into the lattice's period before it becomes an int.
 vec4 nacre_noise(vec3 p, int seed)
 {
     vec3 corner = floor(p);
@@ -66,7 +67,8 @@ vec4 nacre_noise(vec3 p, int seed)
 }
 
 // Octaves summed, each of twice the frequency and half the amplitude; gradient in xyz, value in w,
-// scaled by the sum of the amplitudes, so that its range does not depend on the count.
+// scaled by the root of the sum of their squares: octaves are
+// independent, so the spread does not depend on their count.
 vec4 nacre_turbulence(vec3 p, int octaves, int seed)
 {
     vec4 sum = vec4(0.0);
@@ -75,11 +77,11 @@ vec4 nacre_turbulence(vec3 p, int octaves, int seed)
         if (octave >= octaves) break;
         vec4 noise = nacre_noise(p * frequency, seed + octave);
         sum += vec4(noise.xyz * frequency, noise.w) * amplitude;
-        total += amplitude;
+        total += amplitude * amplitude;
         frequency *= 2.0;
         amplitude *= 0.5;
     }
-    return sum / max(total, 1.0);
+    return sum / sqrt(max(total, 1.0));
 }
 
 #endif

@@ -20,6 +20,8 @@ Material diffuse(double ior, double thicknessLeastNm, double thicknessMostNm)
     Material m = material(glm::dvec3(ior), thicknessLeastNm, thicknessMostNm);
     m.specularWeight = 0.0;
     m.diffuseWeight = 1.0;
+    m.noiseFrequency = 3.0;
+    m.noiseOctaves = 4;
     return m;
 }
 
@@ -45,12 +47,13 @@ Material figure5(double thicknessLeastNm, double thicknessMostNm)
     return m;
 }
 
-// The paper does not say how far the thickness tilts the lower boundary in Figure 4. Bands of colour
-// need a tilt of the order of the lobe's width: 14 degrees per unit gradient.
+// The paper does not say how far the thickness tilts the lower boundary in Figure 4. Bands like
+// oil's need a tilt wider than the lobe and a smooth thickness: one octave.
 Material figure4()
 {
-    Material m = figure3(LowerNormal::gradient, 14.0, 0.0);
-    m.noiseFrequency = 2.0;
+    Material m = figure3(LowerNormal::gradient, 12.0, 0.0);
+    m.noiseFrequency = 6.0;
+    m.noiseOctaves = 1;
     return m;
 }
 

@@ -38,4 +38,7 @@ private:
     std::variant<T, Error> state_;
 };
 
+/// Done, or the reason why not: of what has no value to give.
+using Outcome = Result<std::monostate>;
+
 }  // namespace nacre

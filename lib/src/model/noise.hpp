@@ -15,7 +15,7 @@ constexpr int maxOctaves = 8;  // NACRE_MAX_OCTAVES, shaders/nacre_config.glsl
 inline std::uint32_t hash(ivec3 cell, int seed)
 {
     const auto word = [](int value) { return static_cast<std::uint32_t>(value); };
-    std::uint32_t h = word(cell.x) * 73856093u ^ word(cell.y) * 19349663u ^ word(cell.z) * 83492791u ^ word(seed) * 2654435769u;
+    std::uint32_t h = word(cell.x & 65535) * 73856093u ^ word(cell.y & 65535) * 19349663u ^ word(cell.z & 65535) * 83492791u ^ word(seed) * 2654435769u;
     h = (h ^ (h >> 16u)) * 2246822507u;
     h = (h ^ (h >> 13u)) * 3266489909u;
     return h ^ (h >> 16u);
@@ -74,11 +74,11 @@ inline dvec4 turbulence(dvec3 p, int octaves, int seed)
         if (octave >= octaves) break;
         const dvec4 n = noise(p * frequency, seed + octave);
         sum += dvec4(dvec3(n) * frequency, n.w) * amplitude;
-        total += amplitude;
+        total += amplitude * amplitude;
         frequency *= 2.0;
         amplitude *= 0.5;
     }
-    return sum / std::fmax(total, 1.0);
+    return sum / std::sqrt(std::fmax(total, 1.0));
 }
 
 }  // namespace nacre::model

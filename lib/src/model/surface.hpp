@@ -12,9 +12,10 @@ inline dvec4 thickness(const Material& m, dvec3 p)
     if (m.noiseOctaves < 1 || !(m.noiseFrequency > 0.0)) {
         return dvec4(0.0, 0.0, 0.0, 0.5 * (m.thicknessLeastUm + m.thicknessMostUm));
     }
-    const dvec4 noise = turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed) * 1.6;
-    const double share = glm::clamp(0.5 + 0.5 * noise.w, 0.0, 1.0);
-    const dvec3 gradient = std::fabs(noise.w) < 1.0 ? dvec3(noise) : dvec3(0.0);
+    const dvec4 noise = turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed);
+    const double height = glm::clamp(1.23 * noise.w, -1.0, 1.0);
+    const double share = 0.5 + height * (0.75 - 0.25 * height * height);
+    const dvec3 gradient = dvec3(noise) * (1.0 - height * height);
     const double thickness = glm::mix(m.thicknessLeastUm, m.thicknessMostUm, share);
     return dvec4(gradient, thickness <= m.thicknessMostUm ? thickness : m.thicknessLeastUm);
 }
@@ -40,7 +41,7 @@ inline dvec3 lowerNormalGradient(const Material& m, dvec3 upperNormal, dvec3 gra
 
 inline dvec3 independentGradient(const Material& m, dvec3 p)
 {
-    return dvec3(turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed + 7919)) * 1.6;
+    return dvec3(turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed + 7919));
 }
 
 // nacre_surface.glsl

@@ -1,0 +1,180 @@
+#include "material_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include <nacre/validate.hpp>
+
+namespace nacre::demo {
+namespace {
+
+std::vector<Parameter> sharing(const std::string& option)
+{
+    std::vector<Parameter> found;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.option == option) found.push_back(parameter);
+    }
+    return found;
+}
+
+std::vector<std::string> options()
+{
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters()) {
+        const std::string name(parameter.option);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
+bool isRange(const std::string& option)
+{
+    return option == "--thickness";
+}
+
+// Where the numbers of an option live in a material, in the order in which they are given.
+std::vector<double*> places(Material& material, const std::string& option)
+{
+    std::vector<double*> all;
+    for (const Parameter& parameter : sharing(option)) {
+        if (const auto* real = std::get_if<double Material::*>(&parameter.member)) all.push_back(&(material.**real));
+        if (const auto* rgb = std::get_if<glm::dvec3 Material::*>(&parameter.member)) {
+            for (int channel = 0; channel < 3; ++channel) all.push_back(&(material.**rgb)[channel]);
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& separator)
+{
+    std::vector<std::string> parts;
+    std::size_t from = 0;
+    for (std::size_t to; (to = text.find(separator, from)) != std::string::npos; from = to + separator.size()) {
+        parts.push_back(text.substr(from, to - from));
+    }
+    parts.push_back(text.substr(from));
+    return parts;
+}
+
+bool parse(const std::string& text, double& value)
+{
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    stream >> value;
+    return stream && stream.eof();
+}
+
+// `A,B,C`, `A..B`: what the option's value looks like.
+std::string shape(const std::string& option)
+{
+    Material any;
+    if (isRange(option)) return "A..B";
+    const std::size_t count = places(any, option).size();
+    return count == 3 ? "R,G,B" : count == 2 ? "UPPER,LOWER" : "N";
+}
+
+Outcome applyChoice(Material& material, const Parameter& parameter, LowerNormal Material::*member, const std::string& text)
+{
+    const auto& names = lowerNormalNames();
+    const auto at = std::find(names.begin(), names.end(), text);
+    if (at == names.end()) {
+        std::string known;
+        for (std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+        return Error{std::string(parameter.option) + ": expected one of " + known + ", got '" + text + "'"};
+    }
+    material.*member = static_cast<LowerNormal>(at - names.begin());
+    return std::monostate{};
+}
+
+Outcome applyWhole(Material& material, const Parameter& parameter, int Material::*member, const std::string& text)
+{
+    double value = 0.0;
+    if (!parse(text, value) || value != std::floor(value) || !(value >= parameter.least && value <= parameter.most)) {
+        std::ostringstream range;
+        range << std::string(parameter.option) << ": expected a whole number from " << parameter.least << " to " << parameter.most
+              << ", got '" << text << "'";
+        return Error{range.str()};
+    }
+    material.*member = static_cast<int>(value);
+    return std::monostate{};
+}
+
+// A single number stands for all of them: `--ior 1.5`.
+Outcome applyNumbers(Material& material, const std::string& option, const std::string& text)
+{
+    const std::vector<double*> targets = places(material, option);
+    const std::vector<std::string> parts = split(text, isRange(option) ? ".." : ",");
+    std::vector<double> values(parts.size());
+    bool fits = parts.size() == 1 || parts.size() == targets.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) fits = parse(parts[i], values[i]) && fits;
+    if (!fits) return Error{option + ": expected " + (targets.size() > 1 ? "N or " : "") + shape(option) + " in numbers, got '" + text + "'"};
+    for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = values.size() == 1 ? values.front() : values[i];
+    return std::monostate{};
+}
+
+}  // namespace
+
+void MaterialOptions::addTo(CLI::App& app)
+{
+    for (const std::string& option : options()) {
+        std::ostringstream help;
+        for (const Parameter& parameter : sharing(option)) help << (help.tellp() > 0 ? " " : "") << parameter.effect;
+        const Parameter first = sharing(option).front();
+        std::string form = shape(option);
+        if (std::holds_alternative<LowerNormal Material::*>(first.member)) {
+            form.clear();
+            for (std::string_view name : lowerNormalNames()) form += (form.empty() ? "" : "|") + std::string(name);
+        }
+        help << " [" << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
+        app.add_option(option, given_[option], help.str())->type_name(form)->group("Material");
+    }
+}
+
+Result<Material> MaterialOptions::apply(Material material) const
+{
+    for (const auto& [option, text] : given_) {
+        if (text.empty()) continue;
+        const Parameter first = sharing(option).front();
+        Outcome outcome = std::monostate{};
+        if (const auto* choice = std::get_if<LowerNormal Material::*>(&first.member)) {
+            outcome = applyChoice(material, first, *choice, text);
+        } else if (const auto* whole = std::get_if<int Material::*>(&first.member)) {
+            outcome = applyWhole(material, first, *whole, text);
+        } else {
+            outcome = applyNumbers(material, option, text);
+        }
+        if (!outcome) return outcome.error();
+    }
+    const bool isTilted = !given_.at("--deviation").empty() && given_.at("--lower-normal").empty();
+    if (isTilted && material.lowerNormal == LowerNormal::parallel) material.lowerNormal = LowerNormal::constant;
+
+    const std::vector<Fault> faults = validate(material);
+    if (faults.empty()) return material;
+    const std::string member = faults.front().field.substr(0, faults.front().field.find('.'));
+    const auto& table = parameters();
+    const auto parameter = std::find_if(table.begin(), table.end(), [&](const Parameter& p) { return p.name == member; });
+    return Error{std::string(parameter->option) + ": " + faults.front().message};
+}
+
+std::string optionText(const Material& material, const std::string& option)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(17);
+    const Parameter first = sharing(option).front();
+    if (const auto* choice = std::get_if<LowerNormal Material::*>(&first.member)) {
+        text << lowerNormalNames()[static_cast<std::size_t>(material.**choice)];
+    } else if (const auto* whole = std::get_if<int Material::*>(&first.member)) {
+        text << material.**whole;
+    } else {
+        Material copy = material;
+        for (double* value : places(copy, option)) text << (text.tellp() > 0 ? (isRange(option) ? ".." : ",") : "") << *value;
+    }
+    return text.str();
+}
+
+}  // namespace nacre::demo

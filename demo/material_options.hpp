@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nacre/material.hpp>
+#include <nacre/parameters.hpp>
+#include <nacre/result.hpp>
+
+namespace CLI {
+class App;
+}
+
+namespace nacre::demo {
+
+/// Command-line options for a material, made from nacre::parameters(): parameters that share an
+/// option are given together, `--exponents 90,170`; a range as `--thickness 66..76`.
+class MaterialOptions {
+public:
+    /// Adds the options to app, which parses into this object and must not outlive it.
+    void addTo(CLI::App& app);
+
+    /// The base with what the command line gave put over it. The error names the option.
+    /// A deviation without --lower-normal turns parallel boundaries into a constant deviation.
+    Result<Material> apply(Material base) const;
+
+private:
+    std::map<std::string, std::string> given_;
+};
+
+/// The value as apply() reads it back: `1.4,1.45,1.6`.
+std::string optionText(const Material& material, const std::string& option);
+
+}  // namespace nacre::demo

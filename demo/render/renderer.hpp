@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <nacre/material.hpp>
+#include <nacre/result.hpp>
+
+#include "gl/context.hpp"
+#include "image.hpp"
+#include "scene/scene.hpp"
+
+namespace nacre::demo {
+
+/// Draws one scene off screen in any material. The context stays current and outlives the renderer.
+class Renderer {
+public:
+    static Result<Renderer> create(const Context& context, Scene scene);
+    ~Renderer();
+    Renderer(Renderer&& other) noexcept;
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Errors: a size that the driver cannot draw, a material that does not validate.
+    Result<Image> render(const Material& material, int width, int height) const;
+
+    /// The longest side that the driver can draw.
+    int largestSize() const;
+
+private:
+    struct Mesh {
+        GLuint vertexArray = 0, vertices = 0, indices = 0;
+        GLsizei count = 0;
+    };
+    explicit Renderer(const GlFunctions& gl) : gl_(&gl) {}
+    void draw(const struct Camera& camera) const;
+
+    const GlFunctions* gl_;
+    GLuint program_ = 0, material_ = 0;
+    std::vector<Mesh> meshes_;
+    Scene scene_;
+};
+
+}  // namespace nacre::demo

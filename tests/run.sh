@@ -1,0 +1,15 @@
+#!/bin/sh
+# Builds everything and proves the numbers: see the README.
+# The second build, with the address and undefined-behaviour sanitizers, runs the same tests.
+set -eu
+cd "$(dirname "$0")/.."
+. demo/packages.sh
+install_packages $demo_packages libgtest-dev libcsv-dev glslang-tools
+
+cmake -S . -B build/tests -DCMAKE_BUILD_TYPE=Release -DNACRE_WARNINGS_AS_ERRORS=ON
+cmake --build build/tests --parallel "$(nproc)"
+ctest --test-dir build/tests --output-on-failure --no-tests=error
+
+cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNACRE_WARNINGS_AS_ERRORS=ON -DNACRE_SANITIZE=ON
+cmake --build build/sanitize --parallel "$(nproc)"
+ctest --test-dir build/sanitize --output-on-failure --no-tests=error
