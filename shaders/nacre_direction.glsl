@@ -4,8 +4,11 @@
 // The unit vector along a, or the zero vector where a has no direction (zero, infinite, NaN).
 // Scaled by its largest component first, so that its square neither overflows nor underflows.
 // The test is one that NaN fails: max() may hide a NaN, the sum of squares does not.
+// A vector whose squared length is 1 but for the rounding of its components and of the sum (four units in
+// the last place, 4.8e-7) is returned as it is: dividing it once more would only round its direction.
 vec3 nacre_direction(vec3 a)
 {
+    if (abs(dot(a, a) - 1.0) <= 4.8e-7) return a;
     float largest = max(max(abs(a.x), abs(a.y)), abs(a.z));
     vec3 scaled = a / largest;
     float squared = dot(scaled, scaled);

@@ -17,7 +17,7 @@ struct nacre_View {
     vec3 cosRefracted;        // cosTo: <-t_o, n0> per channel
     vec3 lowerCosine;         // <t_o, n1>
     vec3 sqrtTransmittance;   // root of the transmittance out of the layer, Eq 9; 0: no way out
-    vec3 cyclesAtNormal;      // r1 d / λ
+    nacre_Path path;          // r1 d / λ
     vec3 diffuse;             // ρd, Eq 16
 };
 
@@ -25,7 +25,7 @@ struct nacre_View {
 struct nacre_Terms {
     vec3 sqrtR;   // root of the upper boundary's reflection [R, Eq 6]
     vec3 sqrtT;   // root of the part that went through the layer [T, Eq 10]
-    vec3 cycles;  // path through the layer in wavelengths [Φ / π, Eq 3]; means nothing where sqrtT is 0
+    vec3 cycles;  // path through the layer in wavelengths but for whole ones [Φ / π, Eq 3]; means nothing where sqrtT is 0
 };
 
 // v: unit vector to the viewer.
@@ -49,8 +49,9 @@ nacre_View nacre_view(nacre_Material m, nacre_Surface s, vec3 v)
     bvec3 leaves = lessThan(w.lowerCosine, vec3(0.0));
     w.sqrtTransmittance = mix(vec3(0.0), sqrt(max(transmittance, 0.0)), leaves);
 
-    w.cyclesAtNormal = m.cyclesPerUm * s.thicknessUm + m.cyclesPerUmTail * s.thicknessUm;
-    w.diffuse = hasNormals ? nacre_diffuseCoefficient(m.diffuseFringe, nacre_cosPhase(2.0 * w.cyclesAtNormal)) : vec3(0.0);
+    w.path = nacre_path(m.cyclesPerUm, m.cyclesPerUmTail, s.thicknessUm);
+    vec3 cosPhase = nacre_cosPhase(nacre_pathCycles(w.path, vec3(2.0)));
+    w.diffuse = hasNormals ? nacre_diffuseCoefficient(m.diffuseFringe, cosPhase) : vec3(0.0);
     return w;
 }
 
@@ -81,7 +82,7 @@ nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
         sqrtT = mix(vec3(0.0), sqrtT, lessThan(lower, vec3(1.0)));
         t.sqrtT = mix(sqrtT, vec3(0.0), reflectsAll);
 
-        t.cycles = nacre_pathCycles(w.cyclesAtNormal, cosRefracted, w.cosRefracted);
+        t.cycles = nacre_pathCycles(w.path, cosRefracted + w.cosRefracted);
     }
     return t;
 }

@@ -1,11 +1,52 @@
 #ifndef NACRE_PHASE_GLSL
 #define NACRE_PHASE_GLSL
 
-// The path through the layer in wavelengths, OPD / λ = r1 d / λ (cosTi + cosTo).
-// Granier & Heidrich 2003, Eq 3, whose Φ is π times this.
-vec3 nacre_pathCycles(vec3 cyclesAtNormal, vec3 cosTi, vec3 cosTo)
+// The phase in cycles: Granier & Heidrich 2003, Eq 3, Φ = π OPD / λ, OPD = r1 d (cosTi + cosTo).
+// highp where the profile is ES: a layer of 10 µm is 1e2 cycles, of which the fraction counts.
+
+// r1 d / λ, the layer's thickness in wavelengths, as head + tail. The head has 12 significant bits, so that
+// its product with another such number is exact; without NACRE_SPLIT_PHASE it is all there is.
+struct nacre_Path {
+    highp vec3 head;
+    highp vec3 tail;
+};
+
+// The first 12 of a float's 24 significant bits.
+highp float nacre_head(highp float a)
 {
-    return cyclesAtNormal * (cosTi + cosTo);
+    return uintBitsToFloat(floatBitsToUint(a) & 0xFFFFF000u);
+}
+
+highp vec3 nacre_head(highp vec3 a)
+{
+    return uintBitsToFloat(floatBitsToUint(a) & uvec3(0xFFFFF000u));
+}
+
+// cyclesPerUm, cyclesPerUmTail: r1 / λ as the host split it, nacre_Material.
+nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp float thicknessUm)
+{
+#if NACRE_SPLIT_PHASE
+    highp float thickness = nacre_head(thicknessUm);
+    highp vec3 product = cyclesPerUm * thickness;  // exact
+    highp vec3 head = nacre_head(product);
+    highp vec3 tail = (product - head) + (cyclesPerUm * (thicknessUm - thickness) + cyclesPerUmTail * thicknessUm);
+    return nacre_Path(head, tail);
+#else
+    return nacre_Path((cyclesPerUm + cyclesPerUmTail) * thicknessUm, vec3(0.0));
+#endif
+}
+
+// OPD / λ with whole cycles left out, between -1 and 1 or a little beyond; the cosine asks for no more.
+// cosSum: cosTi + cosTo.
+highp vec3 nacre_pathCycles(nacre_Path path, highp vec3 cosSum)
+{
+#if NACRE_SPLIT_PHASE
+    highp vec3 cosHead = nacre_head(cosSum);
+    highp vec3 product = path.head * cosHead;  // exact, and so is what is left of it
+    return (product - floor(product + 0.5)) + (path.head * (cosSum - cosHead) + path.tail * cosSum);
+#else
+    return path.head * cosSum;
+#endif
 }
 
 // cos Φ, but for its sign, of a phase Φ = π cycles.
@@ -13,10 +54,10 @@ vec3 nacre_pathCycles(vec3 cyclesAtNormal, vec3 cosTi, vec3 cosTo)
 // is asked. Then |cos Φ| = sin(π y), y = 1/2 - |remainder| in [0, 1/2]: y is exact too, so the dark
 // fringe, where y is near 0, keeps its relative precision. sin(π y) / y is fitted by a polynomial in
 // y² (minimax on [0, 1/4], residual 6e-9 relative), the same on every driver.
-vec3 nacre_cosPhase(vec3 cycles)
+vec3 nacre_cosPhase(highp vec3 cycles)
 {
-    vec3 y = 0.5 - abs(cycles - floor(cycles + 0.5));
-    vec3 z = y * y;
+    highp vec3 y = 0.5 - abs(cycles - floor(cycles + 0.5));
+    highp vec3 z = y * y;
     return y * (3.14159265 + z * (-5.16771057 + z * (2.55008231 + z * (-0.598308094 + z * 0.0776759721))));
 }
 

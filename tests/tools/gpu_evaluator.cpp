@@ -68,7 +68,9 @@ void main()
     T = t.sqrtT * t.sqrtT;
     vec3 inside = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, clamp(dot(w.upperNormal, l), 0.0, 1.0));
     bvec3 hasRays = greaterThan(min(inside, w.cosRefracted), vec3(0.0));
-    phi = mix(vec3(0.0), 3.14159265 * t.cycles, hasRays);
+    // Whole cycles and all, which the library leaves out.
+    vec3 cycles = (m.cyclesPerUm + m.cyclesPerUmTail) * s.thicknessUm * (sqrt(max(inside, 0.0)) + w.cosRefracted);
+    phi = mix(vec3(0.0), 3.14159265 * cycles, hasRays);
     diffuse = w.diffuse;
     meanCos = nacre_meanRefractedCosine(m.eta, m.oneMinusEtaSquared, m.normalReflectance);
     shaded = nacre_light(m, w, l);

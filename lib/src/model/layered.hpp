@@ -23,7 +23,7 @@ struct View {
     dvec3 cosRefracted;
     dvec3 lowerCosine;
     dvec3 sqrtTransmittance;
-    dvec3 cyclesAtNormal;
+    Path path;
     dvec3 diffuse;
 };
 
@@ -53,8 +53,9 @@ inline View view(const Material& m, const Surface& s, dvec3 v)
     const glm::bvec3 leaves = lessThan(w.lowerCosine, dvec3(0.0));
     w.sqrtTransmittance = mix(dvec3(0.0), sqrt(max(transmittance, 0.0)), leaves);
 
-    w.cyclesAtNormal = m.cyclesPerUm * s.thicknessUm;
-    w.diffuse = hasNormals ? diffuseCoefficient(m.diffuseFringe, cosPhase(2.0 * w.cyclesAtNormal)) : dvec3(0.0);
+    w.path = path(m.cyclesPerUm, s.thicknessUm);
+    const dvec3 cosine = cosPhase(pathCycles(w.path, dvec3(2.0)));
+    w.diffuse = hasNormals ? diffuseCoefficient(m.diffuseFringe, cosine) : dvec3(0.0);
     return w;
 }
 
@@ -84,7 +85,7 @@ inline Terms terms(const Material& m, const View& w, dvec3 l)
         sqrtT = mix(dvec3(0.0), sqrtT, lessThan(lower, dvec3(1.0)));
         t.sqrtT = mix(sqrtT, dvec3(0.0), reflectsAll);
 
-        t.cycles = pathCycles(w.cyclesAtNormal, cosRefracted, w.cosRefracted);
+        t.cycles = pathCycles(w.path, cosRefracted + w.cosRefracted);
     }
     return t;
 }

@@ -6,10 +6,20 @@
 
 namespace nacre::model {
 
-// Eq 3; Φ is π times this.
-inline dvec3 pathCycles(dvec3 cyclesAtNormal, dvec3 cosTi, dvec3 cosTo)
+// Double precision has bits to spare: the path stays in one part, and whole cycles stay in it.
+struct Path {
+    dvec3 head;
+};
+
+inline Path path(dvec3 cyclesPerUm, double thicknessUm)
 {
-    return cyclesAtNormal * (cosTi + cosTo);
+    return {cyclesPerUm * thicknessUm};
+}
+
+// Eq 3; Φ is π times this.
+inline dvec3 pathCycles(Path path, dvec3 cosSum)
+{
+    return path.head * cosSum;
 }
 
 inline dvec3 cosPhase(dvec3 cycles)
