@@ -68,6 +68,15 @@ bool parse(const std::string& text, double& value)
     return stream && stream.eof();
 }
 
+std::string defaultText(const std::string& option)
+{
+    std::string text;
+    for (const Parameter& parameter : sharing(option)) {
+        text += (text.empty() ? "" : isRange(option) ? ".." : ",") + valueText(Material{}, parameter);
+    }
+    return text;
+}
+
 // `A,B,C`, `A..B`: what the option's value looks like.
 std::string shape(const std::string& option)
 {
@@ -129,7 +138,7 @@ void MaterialOptions::addTo(CLI::App& app)
             form.clear();
             for (std::string_view name : lowerNormalNames()) form += (form.empty() ? "" : "|") + std::string(name);
         }
-        help << " [" << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
+        help << " [default " << defaultText(option) << "; " << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
         app.add_option(option, given_[option], help.str())->type_name(form)->group("Material");
     }
 }
@@ -160,19 +169,18 @@ Result<Material> MaterialOptions::apply(Material material) const
     return Error{std::string(parameter->option) + ": " + faults.front().message};
 }
 
-std::string optionText(const Material& material, const std::string& option)
+std::string valueText(const Material& material, const Parameter& parameter)
 {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text.precision(17);
-    const Parameter first = sharing(option).front();
-    if (const auto* choice = std::get_if<LowerNormal Material::*>(&first.member)) {
+    text.precision(9);
+    if (const auto* real = std::get_if<double Material::*>(&parameter.member)) text << material.**real;
+    if (const auto* whole = std::get_if<int Material::*>(&parameter.member)) text << material.**whole;
+    if (const auto* rgb = std::get_if<glm::dvec3 Material::*>(&parameter.member)) {
+        text << (material.**rgb).r << ',' << (material.**rgb).g << ',' << (material.**rgb).b;
+    }
+    if (const auto* choice = std::get_if<LowerNormal Material::*>(&parameter.member)) {
         text << lowerNormalNames()[static_cast<std::size_t>(material.**choice)];
-    } else if (const auto* whole = std::get_if<int Material::*>(&first.member)) {
-        text << material.**whole;
-    } else {
-        Material copy = material;
-        for (double* value : places(copy, option)) text << (text.tellp() > 0 ? (isRange(option) ? ".." : ",") : "") << *value;
     }
     return text.str();
 }

@@ -29,7 +29,7 @@ private:
     std::map<std::string, std::string> given_;
 };
 
-/// The value as apply() reads it back: `1.4,1.45,1.6`.
-std::string optionText(const Material& material, const std::string& option);
+/// A member's value as the options take it: `1.4,1.45,1.6`.
+std::string valueText(const Material& material, const Parameter& parameter);
 
 }  // namespace nacre::demo

@@ -26,6 +26,8 @@ struct nacre_Terms {
     vec3 sqrtR;   // root of the upper boundary's reflection [R, Eq 6]
     vec3 sqrtT;   // root of the part that went through the layer [T, Eq 10]
     vec3 cycles;  // path through the layer in wavelengths but for whole ones [Φ / π, Eq 3]; means nothing where sqrtT is 0
+    float upperOneMinus;  // 1 - the lobe's cosine at the upper boundary, Eq 6
+    vec3 lowerOneMinus;   // 1 - the lobe's cosine at the lower boundary, Eq 10
 };
 
 // v: unit vector to the viewer.
@@ -58,7 +60,7 @@ nacre_View nacre_view(nacre_Material m, nacre_Surface s, vec3 v)
 // l: unit vector to the light. All zero where light or viewer is not above the surface.
 nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
 {
-    nacre_Terms t = nacre_Terms(vec3(0.0), vec3(0.0), vec3(0.0));
+    nacre_Terms t = nacre_Terms(vec3(0.0), vec3(0.0), vec3(0.0), 1.0, vec3(1.0));
     float cosTheta = min(dot(w.upperNormal, l), 1.0);
     if (cosTheta > 0.0 && w.cosTheta > 0.0) {
         vec3 halfVector = l + w.direction;
@@ -67,19 +69,19 @@ nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
         bvec3 reflectsAll = lessThan(cosSquared, vec3(0.0));
         vec3 cosRefracted = sqrt(max(cosSquared, 0.0));
 
-        float upper = nacre_upperLobeOneMinus(w.upperNormal, halfVector, cosTheta, w.cosTheta);
+        t.upperOneMinus = nacre_upperLobeOneMinus(w.upperNormal, halfVector, cosTheta, w.cosTheta);
         vec3 reflectance = mix(nacre_reflectance(m.normalReflectance, cosTheta), vec3(1.0), reflectsAll);
-        t.sqrtR = sqrt(reflectance) * nacre_powerOneMinus(upper, 0.5 * m.upperExponent);
+        t.sqrtR = sqrt(reflectance) * nacre_powerOneMinus(t.upperOneMinus, 0.5 * m.upperExponent);
 
         vec3 lowerCosine = nacre_lowerCosine(m.eta, w.cosBetween, cosTheta, dot(w.lowerNormal, l), cosRefracted);
         vec2 halfAcross = vec2(dot(w.frameX, halfVector), dot(w.frameY, halfVector));
-        vec3 lower = nacre_lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
-                                             cosRefracted + w.cosRefracted, lowerCosine - w.lowerCosine);
+        t.lowerOneMinus = nacre_lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
+                                                  cosRefracted + w.cosRefracted, lowerCosine - w.lowerCosine);
         vec3 transmittance = (1.0 - m.normalReflectance) * nacre_transmittanceShape(cosTheta);
-        vec3 sqrtT = sqrt(transmittance) * w.sqrtTransmittance * nacre_powerOneMinus(lower, 0.5 * m.lowerExponent);
+        vec3 sqrtT = sqrt(transmittance) * w.sqrtTransmittance * nacre_powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
         // The three null conditions under Eq 10; the viewer's is in w.sqrtTransmittance.
         sqrtT = mix(vec3(0.0), sqrtT, lessThan(lowerCosine, vec3(0.0)));
-        sqrtT = mix(vec3(0.0), sqrtT, lessThan(lower, vec3(1.0)));
+        sqrtT = mix(vec3(0.0), sqrtT, lessThan(t.lowerOneMinus, vec3(1.0)));
         t.sqrtT = mix(sqrtT, vec3(0.0), reflectsAll);
 
         t.cycles = nacre_pathCycles(w.path, cosRefracted + w.cosRefracted);

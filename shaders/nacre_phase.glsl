@@ -23,8 +23,11 @@ highp vec3 nacre_head(highp vec3 a)
 }
 
 // cyclesPerUm, cyclesPerUmTail: r1 / λ as the host split it, nacre_Material.
+// A thickness that is none (negative, NaN, above a metre, where the products below would overflow before
+// long) counts as 0; the comparison is one that NaN fails.
 nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp float thicknessUm)
 {
+    thicknessUm = thicknessUm >= 0.0 && thicknessUm <= 1e6 ? thicknessUm : 0.0;
 #if NACRE_SPLIT_PHASE
     highp float thickness = nacre_head(thicknessUm);
     highp vec3 product = cyclesPerUm * thickness;  // exact

@@ -10,6 +10,6 @@ cmake -S . -B build/tests -DCMAKE_BUILD_TYPE=Release -DNACRE_WARNINGS_AS_ERRORS=
 cmake --build build/tests --parallel "$(nproc)"
 ctest --test-dir build/tests --output-on-failure --no-tests=error
 
-cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNACRE_WARNINGS_AS_ERRORS=ON -DNACRE_SANITIZE=ON
+cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1" -DNACRE_WARNINGS_AS_ERRORS=ON -DNACRE_SANITIZE=ON
 cmake --build build/sanitize --parallel "$(nproc)"
 ctest --test-dir build/sanitize --output-on-failure --no-tests=error

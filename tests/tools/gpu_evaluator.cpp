@@ -15,7 +15,7 @@ namespace {
 constexpr int side = 128;
 constexpr int blockTexels = sizeof(Block) / 16;
 constexpr int texels = blockTexels + 4;
-constexpr int targets = 7;
+constexpr int targets = 8;
 
 const char* const vertexShader = R"(#version 330 core
 void main()  // one triangle that covers the picture
@@ -34,6 +34,7 @@ layout(location = 3) out vec3 phi;
 layout(location = 4) out vec3 diffuse;
 layout(location = 5) out vec3 meanCos;
 layout(location = 6) out vec3 shaded;
+layout(location = 7) out vec3 lobes;
 
 vec4 texel(int index)
 {
@@ -74,6 +75,7 @@ void main()
     diffuse = w.diffuse;
     meanCos = nacre_meanRefractedCosine(m.eta, m.oneMinusEtaSquared, m.normalReflectance);
     shaded = nacre_light(m, w, l);
+    lobes = vec3(t.upperOneMinus, t.lowerOneMinus.r, t.lowerOneMinus.b);
 }
 )";
 
@@ -126,7 +128,7 @@ Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context)
     }
     gl.DrawBuffers(targets, buffers.data());
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        return Error{"the driver cannot render to seven float32 targets"};
+        return Error{"the driver cannot render to eight float32 targets"};
     }
     return evaluator;
 }
@@ -152,7 +154,7 @@ Result<std::vector<GpuOutput>> GpuEvaluator::run(const std::vector<GpuInput>& in
         gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, side * texels, rows, GL_RGBA, GL_FLOAT, packed.data());
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
         glm::vec3 GpuOutput::*const members[targets] = {&GpuOutput::rho,     &GpuOutput::R,       &GpuOutput::T,     &GpuOutput::phi,
-                                                        &GpuOutput::diffuse, &GpuOutput::meanCos, &GpuOutput::shaded};
+                                                        &GpuOutput::diffuse, &GpuOutput::meanCos, &GpuOutput::shaded, &GpuOutput::lobes};
         for (int target = 0; target < targets; ++target) {
             gl.ReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
             gl.ReadPixels(0, 0, side, rows, GL_RGB, GL_FLOAT, pixels.data());

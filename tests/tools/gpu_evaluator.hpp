@@ -18,9 +18,10 @@ struct GpuInput {
     float thicknessUm;
 };
 
-/// What the shader makes of it; the members of nacre::Evaluation.
+/// What the shader makes of it: the members of nacre::Evaluation, and 1 - the lobes' cosines (upper, lower
+/// red, lower blue).
 struct GpuOutput {
-    glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded;
+    glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded, lobes;
 };
 
 /// Runs the library's GLSL, unmodified, once per input in a fragment shader with float32 targets.

@@ -31,6 +31,8 @@ struct Terms {
     dvec3 sqrtR;
     dvec3 sqrtT;
     dvec3 cycles;
+    double upperOneMinus;
+    dvec3 lowerOneMinus;
 };
 
 inline View view(const Material& m, const Surface& s, dvec3 v)
@@ -61,7 +63,7 @@ inline View view(const Material& m, const Surface& s, dvec3 v)
 
 inline Terms terms(const Material& m, const View& w, dvec3 l)
 {
-    Terms t{dvec3(0.0), dvec3(0.0), dvec3(0.0)};
+    Terms t{dvec3(0.0), dvec3(0.0), dvec3(0.0), 1.0, dvec3(1.0)};
     const double cosTheta = std::fmin(dot(w.upperNormal, l), 1.0);
     if (cosTheta > 0.0 && w.cosTheta > 0.0) {
         const dvec3 halfVector = l + w.direction;
@@ -70,19 +72,19 @@ inline Terms terms(const Material& m, const View& w, dvec3 l)
         const glm::bvec3 reflectsAll = lessThan(cosSquared, dvec3(0.0));
         const dvec3 cosRefracted = sqrt(max(cosSquared, 0.0));
 
-        const double upper = upperLobeOneMinus(w.upperNormal, halfVector, cosTheta, w.cosTheta);
+        t.upperOneMinus = upperLobeOneMinus(w.upperNormal, halfVector, cosTheta, w.cosTheta);
         const dvec3 reflected = mix(reflectance(m.normalReflectance, cosTheta), dvec3(1.0), reflectsAll);
-        t.sqrtR = sqrt(reflected) * powerOneMinus(upper, 0.5 * m.upperExponent);
+        t.sqrtR = sqrt(reflected) * powerOneMinus(t.upperOneMinus, 0.5 * m.upperExponent);
 
         const dvec3 lowerCosineI = lowerCosine(m.eta, w.cosBetween, cosTheta, dot(w.lowerNormal, l), cosRefracted);
         const dvec2 halfAcross(dot(w.frameX, halfVector), dot(w.frameY, halfVector));
-        const dvec3 lower = lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
-                                              cosRefracted + w.cosRefracted, lowerCosineI - w.lowerCosine);
+        t.lowerOneMinus = lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
+                                            cosRefracted + w.cosRefracted, lowerCosineI - w.lowerCosine);
         const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(cosTheta);
-        dvec3 sqrtT = sqrt(transmittance) * w.sqrtTransmittance * powerOneMinus(lower, 0.5 * m.lowerExponent);
+        dvec3 sqrtT = sqrt(transmittance) * w.sqrtTransmittance * powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
         // The three null conditions under Eq 10; the viewer's is in w.sqrtTransmittance.
         sqrtT = mix(dvec3(0.0), sqrtT, lessThan(lowerCosineI, dvec3(0.0)));
-        sqrtT = mix(dvec3(0.0), sqrtT, lessThan(lower, dvec3(1.0)));
+        sqrtT = mix(dvec3(0.0), sqrtT, lessThan(t.lowerOneMinus, dvec3(1.0)));
         t.sqrtT = mix(sqrtT, dvec3(0.0), reflectsAll);
 
         t.cycles = pathCycles(w.path, cosRefracted + w.cosRefracted);

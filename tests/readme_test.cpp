@@ -1,0 +1,39 @@
+// The README's table of parameters is the library's own.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include <nacre/parameters.hpp>
+
+#include "material_options.hpp"
+
+namespace {
+
+using namespace nacre;
+
+std::string row(const Parameter& parameter)
+{
+    const std::string option(parameter.option);
+    std::ostringstream line;
+    line << "| `" << parameter.name << "` | " << parameter.symbol << " | " << parameter.unit << " | ";
+    if (std::holds_alternative<LowerNormal Material::*>(parameter.member)) {
+        for (std::size_t i = 0; i < lowerNormalNames().size(); ++i) line << (i ? ", " : "") << lowerNormalNames()[i];
+    } else {
+        line << parameter.least << " to " << parameter.most;
+    }
+    line << " | " << demo::valueText(Material{}, parameter) << " | `" << option << "` | " << parameter.effect << " |";
+    return line.str();
+}
+
+TEST(Readme, ListsTheParametersAsTheyAreDeclared)
+{
+    std::ifstream file(NACRE_README);
+    const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    std::string table;
+    for (const Parameter& parameter : parameters()) table += row(parameter) + '\n';
+    EXPECT_TRUE(readme.find(table) != std::string::npos) << "expected in the README:\n" << table;
+}
+
+}  // namespace
