@@ -1,0 +1,86 @@
+// The one list of all candidates. To add one:
+//   1. put its GLSL into glsl/NAME.glsl: struct bench_View, bench_view(), bench_light(); see candidate.hpp;
+//   2. add a line to candidateEntries() below;
+//   3. if it reads nothing but nacre_Block, its function is one line, library("NAME.glsl", material);
+//      else fill Candidate: a block of its own (blockName, block), tables (sampler, size, filter, texels).
+// Variants of one text: prepend a #define to the candidate's glsl.
+
+#include "candidates.hpp"
+
+#include <nacre/block.hpp>
+#include <nacre/presets.hpp>
+
+#include "materialx.hpp"
+#include "text_file.hpp"
+#include "three_js.hpp"
+
+namespace nacre::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A candidate whose only input is nacre's own block.
+Result<Candidate> library(const char* file, const Material& material)
+{
+    Result<std::string> text = readGlsl(file);
+    if (!text) return text.error();
+    Result<Block> block = pack(material);
+    if (!block) return block.error();
+    Candidate candidate;
+    candidate.glsl = *text;
+    candidate.blockName = "nacre_Block";
+    candidate.block = bytesOf(*block);
+    return candidate;
+}
+
+// Figure 3's material: an index per channel, both parts.
+Material dispersive()
+{
+    Material material;
+    material.ior = {1.4, 1.45, 1.6};
+    material.diffuseWeight = 0.7;
+    return material;
+}
+
+Material oneIndex()
+{
+    Material material;
+    material.ior = {1.45, 1.45, 1.45};
+    material.diffuseWeight = 0.0;
+    return material;
+}
+
+Result<Candidate> flat(const fs::path&)
+{
+    Result<std::string> text = readGlsl("flat.glsl");
+    if (!text) return text.error();
+    Candidate candidate;
+    candidate.glsl = *text;
+    candidate.usesLibrary = false;
+    return candidate;
+}
+
+Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
+Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
+Result<Candidate> paperFullNaive(const fs::path&) { return library("paper_full_naive.glsl", dispersive()); }
+Result<Candidate> paperParallel(const fs::path&) { return library("paper_parallel.glsl", oneIndex()); }
+Result<Candidate> paperParallelNaive(const fs::path&) { return library("paper_parallel_naive.glsl", oneIndex()); }
+
+}  // namespace
+
+const std::vector<CandidateEntry>& candidateEntries()
+{
+    static const std::vector<CandidateEntry> entries{
+        {flatName, "the inputs alone: what all others are measured against", flat},
+        {"phong-lambert", "one Phong lobe and Lambert", phongLambert},
+        {"paper-full", "nacre as it is: tilted boundary, index per channel, diffuse", paperFull},
+        {"paper-full-naive", "the same as the paper prints it", paperFullNaive},
+        {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
+        {"paper-parallel-naive", "the same as the paper prints it", paperParallelNaive},
+        {referenceName, "MeshPhysicalMaterial: iridescence, GGX, Lambert; film once per pixel", loadThreeJs},
+        {"materialx", "dielectric_bsdf: Airy film and GGX per light", loadMaterialX},
+    };
+    return entries;
+}
+
+}  // namespace nacre::bench

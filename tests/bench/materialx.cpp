@@ -1,0 +1,84 @@
+#include "materialx.hpp"
+
+#include <regex>
+#include <set>
+
+#include "process.hpp"
+#include "text_file.hpp"
+
+namespace nacre::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* version = "1.39.5";
+
+// The std140 layout of bench_Material in glsl/materialx.glsl.
+struct Material {
+    float tint[3] = {1.0F, 1.0F, 1.0F};
+    float weight = 1.0F;
+    float roughness[2] = {0.09F, 0.09F};
+    float ior = 1.5F;
+    float thinFilmIor = 1.3F;
+};
+
+// The package's folder of libraries.
+Result<fs::path> fetch(const fs::path& peers)
+{
+    const fs::path folder = peers / (std::string("materialx-") + version);
+    const fs::path libraries = folder / "MaterialX" / "libraries";
+    if (fs::exists(libraries / "pbrlib")) return libraries;
+    const std::string package = std::string("MaterialX==") + version;
+    Result<std::string> installed =
+        run({"python3", "-m", "pip", "install", "--quiet", "--no-deps", "--no-compile", "--target", folder.string(), package});
+    if (!installed) return installed.error();
+    return libraries;
+}
+
+// A file with the files that it includes before it, each once.
+Result<std::string> resolve(const fs::path& path, std::set<fs::path>& seen)
+{
+    if (!seen.insert(path).second) return std::string();
+    Result<std::string> file = readText(path);
+    if (!file) return file.error();
+    std::string text = *file;
+    const std::regex include("#include \"([^\"]+)\"");
+    for (std::smatch match; std::regex_search(text, match, include);) {
+        Result<std::string> included = resolve((path.parent_path() / match[1].str()).lexically_normal(), seen);
+        if (!included) return included.error();
+        text.replace(static_cast<std::size_t>(match.position()), static_cast<std::size_t>(match.length()), *included);
+    }
+    return text + '\n';
+}
+
+}  // namespace
+
+Result<Candidate> loadMaterialX(const fs::path& peers)
+{
+    Result<fs::path> libraries = fetch(peers);
+    if (!libraries) return Error{std::string("MaterialX ") + version + " cannot be fetched: " + libraries.error().message};
+
+    std::set<fs::path> seen;
+    std::string functions;
+    for (const char* file : {"stdlib/genglsl/lib/mx_math.glsl", "pbrlib/genglsl/lib/mx_environment_none.glsl",
+                             "pbrlib/genglsl/lib/mx_transmission_opacity.glsl", "pbrlib/genglsl/mx_dielectric_bsdf.glsl"}) {
+        Result<std::string> text = resolve(*libraries / file, seen);
+        if (!text) return text.error();
+        functions += *text;
+    }
+    // The tokens that the shader generator would replace.
+    functions = replaced(functions, "$closureDataConstructor", "ClosureData(closureType, L, V, N, P, occlusion)");
+    functions = replaced(functions, "$texSamplerSignature", "sampler2D tex_sampler");
+    functions = replaced(functions, "$texSamplerSampler2D", "tex_sampler");
+
+    Result<std::string> frame = readGlsl("materialx.glsl");
+    if (!frame) return frame.error();
+    Candidate candidate;
+    candidate.glsl = replaced(*frame, "\nMATERIALX_FUNCTIONS", '\n' + functions);
+    candidate.usesLibrary = false;
+    candidate.blockName = "bench_Material";
+    candidate.block = bytesOf(Material{});
+    return candidate;
+}
+
+}  // namespace nacre::bench

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <nacre/result.hpp>
+
+namespace nacre::bench {
+
+Result<std::string> readText(const std::filesystem::path& path);
+Result<std::string> writeText(const std::filesystem::path& path, const std::string& text);
+
+/// A file of tests/bench/glsl.
+Result<std::string> readGlsl(const char* file);
+
+/// Replaces every occurrence.
+std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+}  // namespace nacre::bench
