@@ -77,8 +77,9 @@ const std::vector<CandidateEntry>& candidateEntries()
         {"paper-full-naive", "the same as the paper prints it", paperFullNaive},
         {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
         {"paper-parallel-naive", "the same as the paper prints it", paperParallelNaive},
-        {referenceName, "MeshPhysicalMaterial: iridescence, GGX, Lambert; film once per pixel", loadThreeJs},
-        {"materialx", "dielectric_bsdf: Airy film and GGX per light", loadMaterialX},
+        {referenceName, "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
+        {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
+        {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},
     };
     return entries;
 }

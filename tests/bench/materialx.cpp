@@ -20,6 +20,12 @@ struct Material {
     float roughness[2] = {0.09F, 0.09F};
     float ior = 1.5F;
     float thinFilmIor = 1.3F;
+    float metalIor[3] = {0.155F, 0.425F, 1.345F};  // gold
+    float metalness = 0.5F;
+    float metalExtinction[3] = {3.484F, 2.453F, 1.773F};
+    float diffuseRoughness = 0.0F;
+    float baseColor[3] = {0.2F, 0.25F, 0.3F};
+    float padding = 0.0F;
 };
 
 // The package's folder of libraries.
@@ -30,7 +36,7 @@ Result<fs::path> fetch(const fs::path& peers)
     if (fs::exists(libraries / "pbrlib")) return libraries;
     const std::string package = std::string("MaterialX==") + version;
     Result<std::string> installed =
-        run({"python3", "-m", "pip", "install", "--quiet", "--no-deps", "--no-compile", "--target", folder.string(), package});
+        run({"python3", "-m", "pip", "install", "--quiet", "--no-deps", "--no-compile", "--retries", "1", "--target", folder.string(), package});
     if (!installed) return installed.error();
     return libraries;
 }
@@ -51,9 +57,7 @@ Result<std::string> resolve(const fs::path& path, std::set<fs::path>& seen)
     return text + '\n';
 }
 
-}  // namespace
-
-Result<Candidate> loadMaterialX(const fs::path& peers)
+Result<Candidate> load(const fs::path& peers, bool isStandardSurface)
 {
     Result<fs::path> libraries = fetch(peers);
     if (!libraries) return Error{std::string("MaterialX ") + version + " cannot be fetched: " + libraries.error().message};
@@ -61,7 +65,9 @@ Result<Candidate> loadMaterialX(const fs::path& peers)
     std::set<fs::path> seen;
     std::string functions;
     for (const char* file : {"stdlib/genglsl/lib/mx_math.glsl", "pbrlib/genglsl/lib/mx_environment_none.glsl",
-                             "pbrlib/genglsl/lib/mx_transmission_opacity.glsl", "pbrlib/genglsl/mx_dielectric_bsdf.glsl"}) {
+                             "pbrlib/genglsl/lib/mx_transmission_opacity.glsl", "pbrlib/genglsl/mx_dielectric_bsdf.glsl",
+                             "pbrlib/genglsl/mx_conductor_bsdf.glsl", "pbrlib/genglsl/mx_oren_nayar_diffuse_bsdf.glsl",
+                             "pbrlib/genglsl/mx_layer_bsdf.glsl", "pbrlib/genglsl/mx_mix_bsdf.glsl"}) {
         Result<std::string> text = resolve(*libraries / file, seen);
         if (!text) return text.error();
         functions += *text;
@@ -74,11 +80,17 @@ Result<Candidate> loadMaterialX(const fs::path& peers)
     Result<std::string> frame = readGlsl("materialx.glsl");
     if (!frame) return frame.error();
     Candidate candidate;
-    candidate.glsl = replaced(*frame, "\nMATERIALX_FUNCTIONS", '\n' + functions);
+    candidate.glsl = "#define BENCH_STANDARD_SURFACE " + std::to_string(isStandardSurface ? 1 : 0) + '\n';
+    candidate.glsl += replaced(*frame, "\nMATERIALX_FUNCTIONS", '\n' + functions);
     candidate.usesLibrary = false;
     candidate.blockName = "bench_Material";
     candidate.block = bytesOf(Material{});
     return candidate;
 }
+
+}  // namespace
+
+Result<Candidate> loadMaterialXDielectric(const fs::path& peers) { return load(peers, false); }
+Result<Candidate> loadMaterialXSurface(const fs::path& peers) { return load(peers, true); }
 
 }  // namespace nacre::bench

@@ -60,7 +60,7 @@ Result<std::vector<Candidate>> load(const Options& options, std::vector<std::str
     return loaded;
 }
 
-void addRadv(Report& report, const Options& options)
+void addRadv(Report& report, const Options& options, std::vector<Failure>& failures)
 {
     Result<RadvReports> measured =
         measureRadv(report.candidates, options.families, std::filesystem::path(options.work) / "spirv");
@@ -72,6 +72,7 @@ void addRadv(Report& report, const Options& options)
         if (!family.failure.empty()) report.notes.push_back("RADV " + family.family + " cannot be had: " + family.failure);
     }
     report.radv = measured->families;
+    failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
 }
 
 }  // namespace
@@ -120,15 +121,15 @@ int main(int argc, char** argv)
     const auto reference = std::find_if(report.candidates.begin(), report.candidates.end(), isReference);
     report.reference = static_cast<std::size_t>(reference - report.candidates.begin());
 
-    if (options.on != "llvmpipe") addRadv(report, options);
     std::vector<Failure> failures;
+    if (options.on != "llvmpipe") addRadv(report, options, failures);
     if (options.on != "radv") {
         ProgressBar bar("llvmpipe");
         Result<LlvmpipeReport> measured =
             measureLlvmpipe(report.candidates, report.reference, options.plan, [&](double share) { bar.show(share); });
         if (!measured) return fail(measured.error());
         report.llvmpipe = *measured;
-        failures = measured->failures;
+        failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
     }
 
     const std::string tables = markdown(report);
