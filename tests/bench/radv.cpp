@@ -63,12 +63,12 @@ void setEnvironment(const std::string& family)
 void write(std::ostream& stream, const RadvStatistics& s)
 {
     stream << ' ' << s.instructions << ' ' << s.vgprs << ' ' << s.sgprs << ' ' << s.codeSize << ' ' << s.latency << ' '
-           << s.inverseThroughput;
+           << s.inverseThroughput << ' ' << s.vectorCycles;
 }
 
 std::istream& read(std::istream& stream, RadvStatistics& s)
 {
-    return stream >> s.instructions >> s.vgprs >> s.sgprs >> s.codeSize >> s.latency >> s.inverseThroughput;
+    return stream >> s.instructions >> s.vgprs >> s.sgprs >> s.codeSize >> s.latency >> s.inverseThroughput >> s.vectorCycles;
 }
 
 // What the forked process writes: a line with the device's name, then one per candidate; or a line that

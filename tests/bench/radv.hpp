@@ -14,7 +14,8 @@ namespace nacre::bench {
 struct RadvStatistics {
     std::uint64_t instructions = 0, vgprs = 0, sgprs = 0, codeSize = 0;
     std::uint64_t latency = 0;            ///< Cycles of one wave.
-    std::uint64_t inverseThroughput = 0;  ///< Cycles that a wave keeps the busiest unit from the others.
+    std::uint64_t inverseThroughput = 0;  ///< Cycles that 64 lanes keep the busiest unit from others; branches weighted.
+    std::uint64_t vectorCycles = 0;       ///< The same of vector instructions, all branches taken; 0: not known.
 };
 
 struct RadvShader {

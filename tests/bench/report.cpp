@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace nacre::bench {
@@ -31,8 +32,9 @@ std::string header(const std::vector<std::string>& cells)
 std::string csvLine(const std::vector<std::string>& cells)
 {
     std::string text;
-    for (const std::string& cell : cells) text += (text.empty() ? "" : ",") + cell;
-    return text + '\n';
+    for (const std::string& cell : cells) text += cell + ',';
+    text.back() = '\n';
+    return text;
 }
 
 std::string median(const Summary& summary, int digits)
@@ -79,38 +81,47 @@ const RadvShader* find(const RadvReport& family, std::size_t candidate)
     return found == family.shaders.end() ? nullptr : &*found;
 }
 
-// Inverse throughput over flat, of one light and of a further one.
+// One of the driver's two measures of speed.
+using Measure = std::uint64_t RadvStatistics::*;
+
+// What a shader costs over flat, for one light and for a further one.
 struct Increment {
     double oneLight = 0.0, furtherLight = 0.0;
 };
 
-Increment increment(const RadvShader& shader, const RadvShader& flat)
+Increment increment(const RadvShader& shader, const RadvShader& flat, Measure measure)
 {
-    const auto over = [](std::uint64_t value, std::uint64_t base) { return static_cast<double>(value) - static_cast<double>(base); };
-    const double one = over(shader.oneLight.inverseThroughput, flat.oneLight.inverseThroughput);
-    return {one, over(shader.twoLights.inverseThroughput, flat.twoLights.inverseThroughput) - one};
+    const auto over = [&](const RadvStatistics& value, const RadvStatistics& base) {
+        return static_cast<double>(value.*measure) - static_cast<double>(base.*measure);
+    };
+    const double one = over(shader.oneLight, flat.oneLight);
+    return {one, over(shader.twoLights, flat.twoLights) - one};
 }
 
-std::string ratioToReference(const Report& report, const RadvReport& family, const RadvShader& shader)
+// Increment, its ratio to three.js's and the increment of a further light; empty where they are not known.
+std::array<std::string, 3> measured(const Report& report, const RadvReport& family, const RadvShader& shader, Measure measure)
 {
     const RadvShader* flat = find(family, 0);
     const RadvShader* reference = find(family, report.reference);
-    if (!reference) return {};
-    return fixed(increment(shader, *flat).oneLight / increment(*reference, *flat).oneLight, 3);
+    if (!flat || flat->oneLight.*measure == 0) return {};
+    const Increment over = increment(shader, *flat, measure);
+    const std::string ratio = reference ? fixed(over.oneLight / increment(*reference, *flat, measure).oneLight, 3) : "";
+    return {fixed(over.oneLight, 0), ratio, fixed(over.furtherLight, 0)};
 }
 
 std::string radvTable(const Report& report, const RadvReport& family)
 {
     std::string text = "## " + family.device + ", as compiled by RADV, one light\n\n";
     text += header({"candidate", "instructions", "VGPRs", "SGPRs", "code bytes", "latency", "inverse throughput", "over flat",
-                    "of three.js", "further light"});
+                    "of three.js", "further light", "vector cycles", "over flat", "of three.js", "further light"});
     for (const RadvShader& shader : family.shaders) {
         const RadvStatistics& s = shader.oneLight;
-        const Increment over = increment(shader, *find(family, 0));
+        const auto weighted = measured(report, family, shader, &RadvStatistics::inverseThroughput);
+        const auto all = measured(report, family, shader, &RadvStatistics::vectorCycles);
         text += row({report.candidates[shader.candidate].name, std::to_string(s.instructions), std::to_string(s.vgprs),
                      std::to_string(s.sgprs), std::to_string(s.codeSize), std::to_string(s.latency),
-                     std::to_string(s.inverseThroughput), fixed(over.oneLight, 0), ratioToReference(report, family, shader),
-                     fixed(over.furtherLight, 0)});
+                     std::to_string(s.inverseThroughput), weighted[0], weighted[1], weighted[2], std::to_string(s.vectorCycles),
+                     all[0], all[1], all[2]});
     }
     return text + '\n';
 }
@@ -137,24 +148,28 @@ std::string markdown(const Report& report)
 std::string csv(const Report& report)
 {
     std::string text = csvLine({"device", "candidate", "megapixels", "lights", "ns_per_pixel", "increment_ns", "increment_ns_q1",
-                                "increment_ns_q3", "ratio_to_three_js", "instructions", "vgprs", "sgprs", "code_bytes", "latency",
-                                "inverse_throughput", "increment_inverse_throughput", "further_light_inverse_throughput"});
-    if (report.llvmpipe) {
-        for (const LlvmpipeTime& time : report.llvmpipe->times) {
-            text += csvLine({csvName(report.llvmpipe->renderer), report.candidates[time.candidate].name, fixed(time.megapixels, 3),
-                             std::to_string(time.lights), median(time.nsPerPixel, 4), median(time.increment, 4),
-                             fixed(time.increment.lowerQuartile, 4), fixed(time.increment.upperQuartile, 4), median(time.ratio, 5),
-                             "", "", "", "", "", "", "", ""});
-        }
+                                "increment_ns_q3", "increment_ratio", "instructions", "vgprs", "sgprs", "code_bytes", "latency",
+                                "inverse_throughput", "inverse_throughput_increment", "inverse_throughput_ratio",
+                                "inverse_throughput_further_light", "vector_cycles", "vector_cycles_increment",
+                                "vector_cycles_ratio", "vector_cycles_further_light"});
+    const std::vector<LlvmpipeTime> times = report.llvmpipe ? report.llvmpipe->times : std::vector<LlvmpipeTime>();
+    for (const LlvmpipeTime& time : times) {
+        std::vector<std::string> cells{csvName(report.llvmpipe->renderer), report.candidates[time.candidate].name,
+                                       fixed(time.megapixels, 3), std::to_string(time.lights), median(time.nsPerPixel, 4),
+                                       median(time.increment, 4), fixed(time.increment.lowerQuartile, 4),
+                                       fixed(time.increment.upperQuartile, 4), median(time.ratio, 5)};
+        cells.resize(22);
+        text += csvLine(cells);
     }
     for (const RadvReport& family : report.radv) {
         for (const RadvShader& shader : family.shaders) {
             const RadvStatistics& s = shader.oneLight;
-            const Increment over = increment(shader, *find(family, 0));
-            text += csvLine({csvName(family.device), report.candidates[shader.candidate].name, "", "1", "", "", "", "",
-                             ratioToReference(report, family, shader), std::to_string(s.instructions), std::to_string(s.vgprs),
-                             std::to_string(s.sgprs), std::to_string(s.codeSize), std::to_string(s.latency),
-                             std::to_string(s.inverseThroughput), fixed(over.oneLight, 0), fixed(over.furtherLight, 0)});
+            const auto weighted = measured(report, family, shader, &RadvStatistics::inverseThroughput);
+            const auto all = measured(report, family, shader, &RadvStatistics::vectorCycles);
+            text += csvLine({csvName(family.device), report.candidates[shader.candidate].name, "", "1", "", "", "", "", "",
+                             std::to_string(s.instructions), std::to_string(s.vgprs), std::to_string(s.sgprs),
+                             std::to_string(s.codeSize), std::to_string(s.latency), std::to_string(s.inverseThroughput),
+                             weighted[0], weighted[1], weighted[2], std::to_string(s.vectorCycles), all[0], all[1], all[2]});
         }
     }
     return text;

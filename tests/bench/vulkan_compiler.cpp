@@ -1,8 +1,11 @@
 #include "vulkan_compiler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
+
+#include "vector_cycles.hpp"
 
 namespace nacre::bench {
 namespace {
@@ -22,6 +25,13 @@ std::vector<Item> listed(const Item& empty, List&& list)
     list(&count, items.data());
     items.resize(count);
     return items;
+}
+
+// A function of VK_KHR_pipeline_executable_properties, with which the device was made.
+template <class Function>
+Function find(VkDevice device, const char* name)
+{
+    return reinterpret_cast<Function>(vkGetDeviceProcAddr(device, name));
 }
 
 VkShaderModule makeModule(VkDevice device, const Spirv& words)
@@ -202,7 +212,7 @@ Result<VkPipeline> VulkanCompiler::makePipeline(VkPipelineLayout layout, VkShade
 
     VkGraphicsPipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
+    info.flags = VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR | VK_PIPELINE_CREATE_CAPTURE_INTERNAL_REPRESENTATIONS_BIT_KHR;
     info.stageCount = static_cast<std::uint32_t>(stages.size());
     info.pStages = stages.data();
     info.pVertexInputState = &vertexInput;
@@ -219,46 +229,73 @@ Result<VkPipeline> VulkanCompiler::makePipeline(VkPipelineLayout layout, VkShade
     return pipeline;
 }
 
+RadvStatistics VulkanCompiler::readStatistics(const VkPipelineExecutableInfoKHR& executable) const
+{
+    const auto statistics = find<PFN_vkGetPipelineExecutableStatisticsKHR>(device_, "vkGetPipelineExecutableStatisticsKHR");
+    VkPipelineExecutableStatisticKHR empty{};
+    empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR;
+    const auto all = listed(empty, [&](std::uint32_t* count, VkPipelineExecutableStatisticKHR* items) {
+        statistics(device_, &executable, count, items);
+    });
+    RadvStatistics found;
+    const std::pair<std::string_view, std::uint64_t*> wanted[] = {
+        {"Instructions", &found.instructions}, {"VGPRs", &found.vgprs},     {"SGPRs", &found.sgprs},
+        {"Code size", &found.codeSize},        {"Latency", &found.latency}, {"Inverse Throughput", &found.inverseThroughput}};
+    for (const VkPipelineExecutableStatisticKHR& one : all) {
+        for (const auto& [name, target] : wanted) {
+            if (name == one.name) *target = one.value.u64;
+        }
+    }
+    return found;
+}
+
+std::string VulkanCompiler::readAssembly(const VkPipelineExecutableInfoKHR& executable) const
+{
+    const auto representations = find<PFN_vkGetPipelineExecutableInternalRepresentationsKHR>(
+        device_, "vkGetPipelineExecutableInternalRepresentationsKHR");
+    VkPipelineExecutableInternalRepresentationKHR empty{};
+    empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INTERNAL_REPRESENTATION_KHR;
+    auto all = listed(empty, [&](std::uint32_t* count, VkPipelineExecutableInternalRepresentationKHR* items) {
+        representations(device_, &executable, count, items);
+    });
+    // The first call told the sizes, this one writes the texts.
+    std::vector<std::string> texts;
+    for (const auto& one : all) texts.emplace_back(one.dataSize, '\0');
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].pData = texts[i].data();
+    auto count = static_cast<std::uint32_t>(all.size());
+    representations(device_, &executable, &count, all.data());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::string_view(all[i].name) == "Assembly") return texts[i];
+    }
+    return {};
+}
+
 Result<RadvStatistics> VulkanCompiler::read(VkPipeline pipeline) const
 {
-    const auto executables =
-        reinterpret_cast<PFN_vkGetPipelineExecutablePropertiesKHR>(vkGetDeviceProcAddr(device_, "vkGetPipelineExecutablePropertiesKHR"));
-    const auto statistics =
-        reinterpret_cast<PFN_vkGetPipelineExecutableStatisticsKHR>(vkGetDeviceProcAddr(device_, "vkGetPipelineExecutableStatisticsKHR"));
-    if (!executables || !statistics) return Error{"the driver lacks VK_KHR_pipeline_executable_properties"};
-
+    const auto executables = find<PFN_vkGetPipelineExecutablePropertiesKHR>(device_, "vkGetPipelineExecutablePropertiesKHR");
     VkPipelineInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR;
     info.pipeline = pipeline;
-    VkPipelineExecutablePropertiesKHR noProperties{};
-    noProperties.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR;
-    const auto stages = listed(noProperties, [&](std::uint32_t* count, VkPipelineExecutablePropertiesKHR* items) {
+    VkPipelineExecutablePropertiesKHR empty{};
+    empty.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR;
+    const auto stages = listed(empty, [&](std::uint32_t* count, VkPipelineExecutablePropertiesKHR* items) {
         executables(device_, &info, count, items);
     });
-    for (std::uint32_t index = 0; index < stages.size(); ++index) {
-        if (!(stages[index].stages & VK_SHADER_STAGE_FRAGMENT_BIT)) continue;
-        VkPipelineExecutableInfoKHR executable{};
-        executable.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR;
-        executable.pipeline = pipeline;
-        executable.executableIndex = index;
-        VkPipelineExecutableStatisticKHR noStatistic{};
-        noStatistic.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR;
-        RadvStatistics found;
-        const std::pair<std::string_view, std::uint64_t*> wanted[] = {
-            {"Instructions", &found.instructions}, {"VGPRs", &found.vgprs},     {"SGPRs", &found.sgprs},
-            {"Code size", &found.codeSize},        {"Latency", &found.latency}, {"Inverse Throughput", &found.inverseThroughput}};
-        for (const VkPipelineExecutableStatisticKHR& one :
-             listed(noStatistic, [&](std::uint32_t* count, VkPipelineExecutableStatisticKHR* items) {
-                 statistics(device_, &executable, count, items);
-             })) {
-            for (const auto& [name, target] : wanted) {
-                if (name == one.name) *target = one.value.u64;
-            }
-        }
-        if (found.inverseThroughput == 0) return Error{"the driver reports no inverse throughput"};
-        return found;
-    }
-    return Error{"the driver reports no fragment shader"};
+    const auto isFragment = [](const VkPipelineExecutablePropertiesKHR& stage) {
+        return (stage.stages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
+    };
+    const auto fragment = std::find_if(stages.begin(), stages.end(), isFragment);
+    if (fragment == stages.end()) return Error{"the driver reports no fragment shader"};
+
+    VkPipelineExecutableInfoKHR executable{};
+    executable.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR;
+    executable.pipeline = pipeline;
+    executable.executableIndex = static_cast<std::uint32_t>(fragment - stages.begin());
+    RadvStatistics found = readStatistics(executable);
+    if (found.inverseThroughput == 0) return Error{"the driver reports no inverse throughput"};
+    const bool isRdna = deviceName_.find("NAVI") != std::string::npos || deviceName_.find("GFX1") != std::string::npos;
+    found.vectorCycles = vectorCycles(readAssembly(executable), isRdna ? Architecture::rdna : Architecture::gcn);
+    return found;
 }
 
 Result<RadvStatistics> VulkanCompiler::fragmentStatistics(const Spirv& vertex, const Spirv& fragment, std::uint32_t uniformBlocks,

@@ -34,6 +34,8 @@ private:
 
     Result<VkPipeline> makePipeline(VkPipelineLayout layout, VkShaderModule vertex, VkShaderModule fragment) const;
     Result<RadvStatistics> read(VkPipeline pipeline) const;
+    RadvStatistics readStatistics(const VkPipelineExecutableInfoKHR& executable) const;
+    std::string readAssembly(const VkPipelineExecutableInfoKHR& executable) const;
 };
 
 }  // namespace nacre::bench
