@@ -27,9 +27,10 @@ struct Options {
     bool isList = false;
 };
 
+// One line, also where the message is a compiler's log.
 int fail(const Error& error)
 {
-    std::cerr << "nacre-bench: " << error.message << '\n';
+    std::cerr << "nacre-bench: " << error.message.substr(0, error.message.find('\n')) << '\n';
     return 1;
 }
 
@@ -75,6 +76,37 @@ void addRadv(Report& report, const Options& options, std::vector<Failure>& failu
     failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
 }
 
+void addLlvmpipe(Report& report, const Options& options, std::vector<Failure>& failures)
+{
+    ProgressBar bar("llvmpipe");
+    Result<LlvmpipeReport> measured =
+        measureLlvmpipe(report.candidates, report.reference, options.plan, [&](double share) { bar.show(share); });
+    if (!measured) {
+        report.notes.push_back("llvmpipe is left out: " + measured.error().message);
+        return;
+    }
+    report.llvmpipe = *measured;
+    failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
+}
+
+// A candidate whose picture is wrong has no speed anywhere.
+void removeFailed(Report& report, const std::vector<Failure>& failures)
+{
+    const auto hasFailed = [&](const RadvShader& shader) {
+        const std::string& name = report.candidates[shader.candidate].name;
+        return std::any_of(failures.begin(), failures.end(), [&](const Failure& failure) { return failure.candidate == name; });
+    };
+    for (RadvReport& family : report.radv) {
+        family.shaders.erase(std::remove_if(family.shaders.begin(), family.shaders.end(), hasFailed), family.shaders.end());
+    }
+}
+
+bool isEmpty(const Report& report)
+{
+    const auto hasNone = [](const RadvReport& family) { return family.shaders.empty(); };
+    return !report.llvmpipe && std::all_of(report.radv.begin(), report.radv.end(), hasNone);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -105,6 +137,7 @@ int main(int argc, char** argv)
     app.add_option("--csv", options.csvFile, "also write the numbers to this file");
     app.add_option("--markdown", options.markdownFile, "also write the tables to this file");
     app.add_flag("--list", options.isList, "list the candidates and exit");
+    app.failure_message([](const CLI::App*, const CLI::Error& error) { return std::string("nacre-bench: ") + error.what() + '\n'; });
     CLI11_PARSE(app, argc, argv);
 
     if (options.isList) {
@@ -123,14 +156,8 @@ int main(int argc, char** argv)
 
     std::vector<Failure> failures;
     if (options.on != "llvmpipe") addRadv(report, options, failures);
-    if (options.on != "radv") {
-        ProgressBar bar("llvmpipe");
-        Result<LlvmpipeReport> measured =
-            measureLlvmpipe(report.candidates, report.reference, options.plan, [&](double share) { bar.show(share); });
-        if (!measured) return fail(measured.error());
-        report.llvmpipe = *measured;
-        failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
-    }
+    if (options.on != "radv") addLlvmpipe(report, options, failures);
+    removeFailed(report, failures);
 
     const std::string tables = markdown(report);
     std::cout << tables << std::flush;
@@ -141,5 +168,6 @@ int main(int argc, char** argv)
         if (Result<std::string> written = writeText(options.csvFile, csv(report)); !written) return fail(written.error());
     }
     for (const Failure& failure : failures) fail({failure.candidate + ": " + failure.message});
+    if (isEmpty(report)) return fail({"nothing could be measured"});
     return failures.empty() ? 0 : 1;
 }
