@@ -3,7 +3,8 @@
 //   2. add a line to candidateEntries() below;
 //   3. if it reads nothing but nacre_Block, its function is one line, library("NAME.glsl", material);
 //      else fill Candidate: a block of its own (blockName, block), tables (sampler, size, filter, texels).
-// Variants of one text: prepend a #define to the candidate's glsl.
+// Variants of one text: lines of #define in Candidate::switches for the library's own switches, before
+// the candidate's glsl for its own. --candidates and the report take up the name by themselves.
 
 #include "candidates.hpp"
 
@@ -62,6 +63,13 @@ Result<Candidate> flat(const fs::path&)
 
 Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
 Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
+Result<Candidate> paperFullWholePhase(const fs::path&)
+{
+    Result<Candidate> candidate = library("paper_full.glsl", dispersive());
+    if (candidate) candidate->switches = "#define NACRE_SPLIT_PHASE 0\n";
+    return candidate;
+}
+
 Result<Candidate> paperFullNaive(const fs::path&) { return library("paper_full_naive.glsl", dispersive()); }
 Result<Candidate> paperParallel(const fs::path&) { return library("paper_parallel.glsl", oneIndex()); }
 Result<Candidate> paperParallelNaive(const fs::path&) { return library("paper_parallel_naive.glsl", oneIndex()); }
@@ -74,9 +82,10 @@ const std::vector<CandidateEntry>& candidateEntries()
         {flatName, "the inputs alone: what all others are measured against", flat},
         {"phong-lambert", "one Phong lobe and Lambert", phongLambert},
         {"paper-full", "nacre as it is: tilted boundary, index per channel, diffuse", paperFull},
-        {"paper-full-naive", "the same as the paper prints it", paperFullNaive},
+        {"paper-full-whole-phase", "the same without NACRE_SPLIT_PHASE", paperFullWholePhase},
+        {"paper-full-naive", "paper-full as the paper prints it", paperFullNaive},
         {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
-        {"paper-parallel-naive", "the same as the paper prints it", paperParallelNaive},
+        {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
         {referenceName, "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
         {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
         {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},

@@ -36,7 +36,7 @@ Result<fs::path> fetch(const fs::path& peers)
     if (fs::exists(libraries / "pbrlib")) return libraries;
     const std::string package = std::string("MaterialX==") + version;
     Result<std::string> installed =
-        run({"python3", "-m", "pip", "install", "--quiet", "--no-deps", "--no-compile", "--retries", "1", "--target", folder.string(), package});
+        run({"python3", "-m", "pip", "install", "--quiet", "--no-deps", "--no-compile", "--retries", "1", "--timeout", "30", "--target", folder.string(), package});
     if (!installed) return installed.error();
     return libraries;
 }

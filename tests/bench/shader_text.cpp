@@ -33,7 +33,8 @@ Result<std::string> fragmentShader(const Candidate& candidate, Dialect dialect, 
         const GlslUniforms uniforms = candidate.blockName == "nacre_Block" ? GlslUniforms::block : GlslUniforms::none;
         Result<std::string> library = glsl({version(dialect), false, uniforms});
         if (!library) return library;
-        text = *library;
+        const std::size_t afterVersion = library->find('\n') + 1;
+        text = library->substr(0, afterVersion) + candidate.switches + library->substr(afterVersion);
     }
     Result<std::string> frame = readGlsl("frame.glsl");
     if (!frame) return frame;

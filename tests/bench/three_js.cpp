@@ -36,7 +36,7 @@ Result<fs::path> fetch(const fs::path& peers)
     std::error_code error;
     fs::create_directories(folder, error);
     const std::string package = std::string("three@") + version;
-    Result<std::string> packed = run({"npm", "pack", package, "--loglevel=error", "--fetch-retries=1", "--pack-destination", folder.string()});
+    Result<std::string> packed = run({"npm", "pack", package, "--loglevel=error", "--fetch-retries=1", "--fetch-timeout=30000", "--pack-destination", folder.string()});
     if (!packed) return packed.error();
     const std::string archive = (folder / (std::string("three-") + version + ".tgz")).string();
     Result<std::string> unpacked = run({"tar", "-xzf", archive, "-C", folder.string()});

@@ -5,7 +5,7 @@ struct bench_View {
     float cosTheta;
     float cosRefracted;
     float sqrtTransmittance;
-    vec3 cyclesAtNormal;
+    nacre_Path path;
 };
 
 float parallel_cosRefracted(nacre_Material m, float cosTheta)
@@ -21,7 +21,7 @@ bench_View bench_view(bench_Point p)
     w.cosTheta = clamp(dot(p.normal, p.view), 0.0, 1.0);
     w.cosRefracted = parallel_cosRefracted(m, w.cosTheta);
     w.sqrtTransmittance = sqrt((1.0 - m.normalReflectance.x) * nacre_transmittanceShape(w.cosRefracted));
-    w.cyclesAtNormal = m.cyclesPerUm * p.thicknessUm + m.cyclesPerUmTail * p.thicknessUm;
+    w.path = nacre_path(m.cyclesPerUm, m.cyclesPerUmTail, p.thicknessUm);
     return w;
 }
 
@@ -45,7 +45,7 @@ vec3 bench_light(bench_Point p, bench_View w, vec3 l)
     float transmittance = (1.0 - m.normalReflectance.x) * nacre_transmittanceShape(cosTheta);
     float sqrtT = sqrt(transmittance) * w.sqrtTransmittance * nacre_powerOneMinus(lower, 0.5 * m.lowerExponent);
 
-    vec3 cosPhase = nacre_cosPhase(w.cyclesAtNormal * cosRefractedSum);
+    vec3 cosPhase = nacre_cosPhase(nacre_pathCycles(w.path, vec3(cosRefractedSum)));
     float isLit = cosTheta > 0.0 && w.cosTheta > 0.0 ? cosTheta : 0.0;
     return m.specularWeight * isLit * nacre_interference(vec3(sqrtR), vec3(sqrtT), cosPhase);
 }
