@@ -1,6 +1,5 @@
 #include "materialx.hpp"
 
-#include <regex>
 #include <set>
 
 #include "process.hpp"
@@ -47,14 +46,10 @@ Result<std::string> resolve(const fs::path& path, std::set<fs::path>& seen)
     if (!seen.insert(path).second) return std::string();
     Result<std::string> file = readText(path);
     if (!file) return file.error();
-    std::string text = *file;
-    const std::regex include("#include \"([^\"]+)\"");
-    for (std::smatch match; std::regex_search(text, match, include);) {
-        Result<std::string> included = resolve((path.parent_path() / match[1].str()).lexically_normal(), seen);
-        if (!included) return included.error();
-        text.replace(static_cast<std::size_t>(match.position()), static_cast<std::size_t>(match.length()), *included);
-    }
-    return text + '\n';
+    Result<std::string> text = withIncludes(*file, "#include \"", '"', [&](const std::string& included) {
+        return resolve((path.parent_path() / included).lexically_normal(), seen);
+    });
+    return text ? *text + '\n' : text;
 }
 
 Result<Candidate> load(const fs::path& peers, bool isStandardSurface)

@@ -31,4 +31,18 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
+Result<std::string> withIncludes(std::string text, const std::string& open, char close,
+                                 const std::function<Result<std::string>(const std::string& name)>& load)
+{
+    for (std::size_t at = 0; (at = text.find(open, at)) != std::string::npos;) {
+        const std::size_t name = at + open.size(), end = text.find(close, name);
+        if (end == std::string::npos) return Error{"an include without an end: " + text.substr(at, 80)};
+        Result<std::string> included = load(text.substr(name, end - name));
+        if (!included) return included;
+        text.replace(at, end + 1 - at, *included);
+        at += included->size();
+    }
+    return text;
+}
+
 }  // namespace nacre::bench

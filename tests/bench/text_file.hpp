@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include <nacre/result.hpp>
@@ -15,5 +16,9 @@ Result<std::string> readGlsl(const char* file);
 
 /// Replaces every occurrence.
 std::string replaced(std::string text, const std::string& what, const std::string& with);
+
+/// Replaces each `open NAME close`, `#include <NAME>` for instance, by what load(NAME) gives.
+Result<std::string> withIncludes(std::string text, const std::string& open, char close,
+                                 const std::function<Result<std::string>(const std::string& name)>& load);
 
 }  // namespace nacre::bench

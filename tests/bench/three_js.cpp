@@ -1,8 +1,7 @@
 #include "three_js.hpp"
 
 #include <cmath>
-#include <cstdint>
-#include <regex>
+#include <cstdlib>
 
 #include "process.hpp"
 #include "text_file.hpp"
@@ -53,14 +52,8 @@ Result<std::string> chunk(const fs::path& package, const std::string& name)
     if (!file) return file.error();
     const std::size_t first = file->find('`'), last = file->rfind('`');
     if (first == last) return Error{"no GLSL between backticks in " + path.string()};
-    std::string text = file->substr(first + 1, last - first - 1);
-    const std::regex include("#include <([A-Za-z0-9_]+)>");
-    for (std::smatch match; std::regex_search(text, match, include);) {
-        Result<std::string> included = chunk(package, match[1]);
-        if (!included) return included.error();
-        text.replace(static_cast<std::size_t>(match.position()), static_cast<std::size_t>(match.length()), *included);
-    }
-    return text;
+    return withIncludes(file->substr(first + 1, last - first - 1), "#include <", '>',
+                        [&](const std::string& included) { return chunk(package, included); });
 }
 
 // An IEEE binary16 that is neither infinite nor NaN.
@@ -83,9 +76,8 @@ Result<Table> dfgTable(const fs::path& package)
     table.width = table.height = 16;
     table.channels = 2;
     table.format = Table::Format::float16;
-    const std::regex hexadecimal("0x([0-9a-fA-F]{1,4})");
-    for (std::sregex_iterator match(file->begin(), file->end(), hexadecimal), end; match != end; ++match) {
-        table.texels.push_back(fromHalf(static_cast<unsigned int>(std::stoul((*match)[1], nullptr, 16))));
+    for (std::size_t at = 0; (at = file->find("0x", at)) != std::string::npos; ++at) {
+        table.texels.push_back(fromHalf(static_cast<unsigned int>(std::strtoul(file->c_str() + at, nullptr, 16))));
     }
     if (table.texels.size() != 512) return Error{"expected 16 x 16 x 2 numbers in " + path.string()};
     return table;
