@@ -10,6 +10,7 @@ namespace nacre::demo {
 // The OpenGL functions that the demo and the tests call, looked up through the context's own
 // GetProcAddress: X(type, name).
 #define NACRE_GL_FUNCTIONS(X)                                           \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                            \
     X(PFNGLATTACHSHADERPROC, AttachShader)                              \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                  \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                          \
@@ -38,6 +39,7 @@ namespace nacre::demo {
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                              \
     X(PFNGLENABLEPROC, Enable)                                          \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)        \
+    X(PFNGLFINISHPROC, Finish)                                          \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)        \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)              \
     X(PFNGLFRONTFACEPROC, FrontFace)                                    \
@@ -66,6 +68,7 @@ namespace nacre::demo {
     X(PFNGLREADPIXELSPROC, ReadPixels)                                  \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                              \
+    X(PFNGLTEXIMAGE1DPROC, TexImage1D)                                  \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                  \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                            \
     X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                            \

@@ -1,0 +1,96 @@
+// The one list of all candidates. To add one:
+//   1. put its GLSL into glsl/NAME.glsl: struct bench_View, bench_view(), bench_light(); see candidate.hpp;
+//   2. add a line to candidateEntries() below;
+//   3. if it reads nothing but nacre_Block, its function is one line, library("NAME.glsl", material);
+//      else fill Candidate: a block of its own (blockName, block), tables (sampler, size, filter, texels).
+// Variants of one text: lines of #define in Candidate::switches for the library's own switches, before
+// the candidate's glsl for its own. --candidates and the report take up the name by themselves.
+
+#include "candidates.hpp"
+
+#include <nacre/block.hpp>
+#include <nacre/presets.hpp>
+
+#include "materialx.hpp"
+#include "text_file.hpp"
+#include "three_js.hpp"
+
+namespace nacre::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A candidate whose only input is nacre's own block.
+Result<Candidate> library(const char* file, const Material& material)
+{
+    Result<std::string> text = readGlsl(file);
+    if (!text) return text.error();
+    Result<Block> block = pack(material);
+    if (!block) return block.error();
+    Candidate candidate;
+    candidate.glsl = *text;
+    candidate.blockName = "nacre_Block";
+    candidate.block = bytesOf(*block);
+    return candidate;
+}
+
+// Figure 3's material: an index per channel, both parts.
+Material dispersive()
+{
+    Material material;
+    material.ior = {1.4, 1.45, 1.6};
+    material.diffuseWeight = 0.7;
+    return material;
+}
+
+Material oneIndex()
+{
+    Material material;
+    material.ior = {1.45, 1.45, 1.45};
+    material.diffuseWeight = 0.0;
+    return material;
+}
+
+Result<Candidate> flat(const fs::path&)
+{
+    Result<std::string> text = readGlsl("flat.glsl");
+    if (!text) return text.error();
+    Candidate candidate;
+    candidate.glsl = *text;
+    candidate.usesLibrary = false;
+    return candidate;
+}
+
+Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
+Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
+Result<Candidate> paperFullWholePhase(const fs::path&)
+{
+    Result<Candidate> candidate = library("paper_full.glsl", dispersive());
+    if (candidate) candidate->switches = "#define NACRE_SPLIT_PHASE 0\n";
+    return candidate;
+}
+
+Result<Candidate> paperFullNaive(const fs::path&) { return library("paper_full_naive.glsl", dispersive()); }
+Result<Candidate> paperParallel(const fs::path&) { return library("paper_parallel.glsl", oneIndex()); }
+Result<Candidate> paperParallelNaive(const fs::path&) { return library("paper_parallel_naive.glsl", oneIndex()); }
+
+}  // namespace
+
+const std::vector<CandidateEntry>& candidateEntries()
+{
+    static const std::vector<CandidateEntry> entries{
+        {flatName, "the inputs alone: what all others are measured against", flat},
+        {"phong-lambert", "one Phong lobe and Lambert", phongLambert},
+        {"paper-full", "nacre as it is: tilted boundary, index per channel, diffuse", paperFull},
+        {"paper-full-whole-phase", "the same without NACRE_SPLIT_PHASE", paperFullWholePhase},
+        {"paper-full-naive", "paper-full as the paper prints it", paperFullNaive},
+        {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
+        {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
+        {referenceName, "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
+        {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
+        {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},
+    };
+    return entries;
+}
+
+}  // namespace nacre::bench

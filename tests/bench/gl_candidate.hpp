@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "candidate.hpp"
+#include "gl/context.hpp"
+
+namespace nacre::bench {
+
+/// A candidate in OpenGL: its programs, its block in a uniform buffer, its tables in textures.
+class GlCandidate {
+public:
+    /// Compiles the candidate without a loop, for one light, and with one.
+    static Result<GlCandidate> create(const demo::GlFunctions& gl, const Candidate& candidate);
+
+    void destroy(const demo::GlFunctions& gl) const;
+
+    enum class Inputs {
+        bound,
+        zeroBlock,   ///< The block's bytes are all 0.
+        zeroTables,  ///< The tables' texels are all 0.
+    };
+
+    /// Makes everything current for a draw: program, block, tables.
+    void use(const demo::GlFunctions& gl, bool oneLight, Inputs inputs = Inputs::bound) const;
+
+    /// The uniform block of frame.glsl is read from this binding.
+    static constexpr GLuint frameBinding = 0;
+
+private:
+    struct Texture {
+        GLenum target;
+        GLuint name, zero;
+    };
+    GLuint straight_ = 0, loop_ = 0;
+    GLuint block_ = 0, zeroBlock_ = 0;
+    std::vector<Texture> textures_;
+};
+
+}  // namespace nacre::bench
