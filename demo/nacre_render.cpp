@@ -12,6 +12,7 @@
 
 #include <nacre/presets.hpp>
 
+#include "command_line.hpp"
 #include "gallery.hpp"
 #include "material_options.hpp"
 #include "models.hpp"
@@ -111,14 +112,7 @@ int main(int argc, char** argv)
     app.add_option("--gallery", arguments.gallery, "Write every preset and a contact sheet into this directory instead");
     app.add_flag("--list", arguments.list, "List presets and models");
     arguments.material.addTo(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        return app.exit(help);
-    } catch (const CLI::ParseError& error) {
-        std::cerr << "nacre-render: " << error.what() << "; --help lists the options\n";
-        return 2;
-    }
+    if (const std::optional<int> status = parseCommandLine(app, argc, argv)) return *status;
     if (arguments.list) {
         list();
         return 0;

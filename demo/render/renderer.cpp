@@ -26,7 +26,10 @@ struct Light {
     glm::vec3 direction;
     float radiance;
 };
-constexpr std::array<Light, 3> lights{{{{-0.45F, 0.65F, 0.75F}, 0.55F}, {{0.85F, 0.1F, 0.6F}, 0.25F}, {{0.25F, 0.8F, -0.5F}, 0.2F}}};
+constexpr std::array<Light, 4> lights{{{{-0.45F, 0.65F, 0.75F}, 0.55F},
+                                       {{0.85F, 0.1F, 0.6F}, 0.25F},
+                                       {{0.25F, 0.8F, -0.5F}, 0.2F},
+                                       {{-0.4F, -0.8F, 0.45F}, 0.1F}}};
 
 // A framebuffer of one float colour and one depth buffer, freed with it.
 class Target {

@@ -32,7 +32,7 @@ void main()
 )";
 
 inline constexpr const char* meshFragmentShader = R"(
-const int LIGHTS = 3;
+const int LIGHTS = 4;
 uniform vec3 lightDirection[LIGHTS];  // to the light, unit
 uniform float lightRadiance[LIGHTS];
 uniform vec3 eye;

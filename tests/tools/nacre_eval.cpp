@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "command_line.hpp"
 #include "vectors.hpp"
 
 namespace {
@@ -81,12 +82,13 @@ int main(int argc, char** argv)
 {
     CLI::App app{
         "Reads CSV with the columns lx..n1z, ior_r..b, thickness_nm, e0, e1, ior_outside and wavelength_nm_r..b on standard "
-        "input; writes them with rho, R, T, phi, diffuse and mean_cos per channel on standard output. Other columns are left out."};
+        "input; writes them with rho, R, T, phi, diffuse and mean_cos per channel on standard output. Other columns are left out.",
+        "nacre-eval"};
     std::string on = "cpu";
     app.add_option("--on", on, "cpu: in double precision; gpu: the GLSL, in float32 (NACRE_CONTEXT=osmesa|egl)")
         ->check(CLI::IsMember({"cpu", "gpu"}))
         ->capture_default_str();
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
     Result<test::CsvTable> table = test::CsvTable::read(std::cin);
     if (!table) return fail(table.error());
