@@ -54,15 +54,14 @@ struct EglHandle {
     EGLContext context = EGL_NO_CONTEXT;
     PFNEGLMAKECURRENTPROC makeCurrent = nullptr;
     PFNEGLDESTROYCONTEXTPROC destroyContext = nullptr;
-    PFNEGLTERMINATEPROC terminate = nullptr;
 
+    // The display is not terminated: whoever else in the process asks for it gets the same one.
     ~EglHandle()
     {
         if (context) {
             makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             destroyContext(display, context);
         }
-        if (display) terminate(display);
     }
 };
 
@@ -126,8 +125,7 @@ Result<Context> Context::createEgl()
     auto handle = std::make_shared<EglHandle>();
     if (!find(library, "eglGetProcAddress", getProcAddress) || !find(library, "eglInitialize", initialize) ||
         !find(library, "eglBindAPI", bindApi) || !find(library, "eglCreateContext", createContext) ||
-        !find(library, "eglMakeCurrent", handle->makeCurrent) || !find(library, "eglDestroyContext", handle->destroyContext) ||
-        !find(library, "eglTerminate", handle->terminate)) {
+        !find(library, "eglMakeCurrent", handle->makeCurrent) || !find(library, "eglDestroyContext", handle->destroyContext)) {
         return Error{"EGL: libEGL.so.1 lacks a function of EGL 1.5"};
     }
     const auto getPlatformDisplay =

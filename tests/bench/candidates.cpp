@@ -3,8 +3,8 @@
 //   2. add a line to candidateEntries() below;
 //   3. if it reads nothing but nacre_Block, its function is one line, library("NAME.glsl", material);
 //      else fill Candidate: a block of its own (blockName, block), tables (sampler, size, filter, texels).
-// Variants of one text: lines of #define in Candidate::switches for the library's own switches, before
-// the candidate's glsl for its own. --candidates and the report take up the name by themselves.
+// Each of the library's stable forms made naive by itself is a candidate too, full-naive-NAME, from
+// naiveForms(). --candidates and the report take up the names by themselves.
 
 #include "candidates.hpp"
 
@@ -12,6 +12,7 @@
 #include <nacre/presets.hpp>
 
 #include "materialx.hpp"
+#include "naive_forms.hpp"
 #include "text_file.hpp"
 #include "three_js.hpp"
 
@@ -63,33 +64,39 @@ Result<Candidate> flat(const fs::path&)
 
 Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
 Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
-Result<Candidate> paperFullWholePhase(const fs::path&)
-{
-    Result<Candidate> candidate = library("paper_full.glsl", dispersive());
-    if (candidate) candidate->switches = "#define NACRE_SPLIT_PHASE 0\n";
-    return candidate;
-}
 
 Result<Candidate> paperFullNaive(const fs::path&) { return library("paper_full_naive.glsl", dispersive()); }
 Result<Candidate> paperParallel(const fs::path&) { return library("paper_parallel.glsl", oneIndex()); }
 Result<Candidate> paperParallelNaive(const fs::path&) { return library("paper_parallel_naive.glsl", oneIndex()); }
 
+std::vector<CandidateEntry> withNaiveForms(std::vector<CandidateEntry> entries)
+{
+    for (const test::NaiveForm& form : test::naiveForms()) {
+        const std::string name = form.name;
+        entries.push_back({"full-naive-" + name, "paper-full with " + form.instead, [name](const fs::path& work) {
+                               Result<Candidate> candidate = paperFull(work);
+                               if (candidate) candidate->naiveForm = name;
+                               return candidate;
+                           }});
+    }
+    return entries;
+}
+
 }  // namespace
 
 const std::vector<CandidateEntry>& candidateEntries()
 {
-    static const std::vector<CandidateEntry> entries{
-        {flatName, "the inputs alone: what all others are measured against", flat},
+    static const std::vector<CandidateEntry> entries = withNaiveForms({
+        {std::string(flatName), "the inputs alone: what all others are measured against", flat},
         {"phong-lambert", "one Phong lobe and Lambert", phongLambert},
         {"paper-full", "nacre as it is: tilted boundary, index per channel, diffuse", paperFull},
-        {"paper-full-whole-phase", "the same without NACRE_SPLIT_PHASE", paperFullWholePhase},
         {"paper-full-naive", "paper-full as the paper prints it", paperFullNaive},
         {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
         {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
-        {referenceName, "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
+        {std::string(referenceName), "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
         {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
         {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},
-    };
+    });
     return entries;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,9 +16,9 @@ inline constexpr std::string_view referenceName = "three.js";
 
 /// A candidate before it is loaded; loading one of the peers may fetch a package.
 struct CandidateEntry {
-    std::string_view name;
-    std::string_view shows;
-    Result<Candidate> (*load)(const std::filesystem::path& peers);
+    std::string name;
+    std::string shows;
+    std::function<Result<Candidate>(const std::filesystem::path& peers)> load;
 };
 
 /// All there are; see candidates.cpp for how to add one.

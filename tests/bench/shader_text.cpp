@@ -2,6 +2,7 @@
 
 #include <nacre/glsl.hpp>
 
+#include "naive_forms.hpp"
 #include "text_file.hpp"
 
 namespace nacre::bench {
@@ -33,8 +34,9 @@ Result<std::string> fragmentShader(const Candidate& candidate, Dialect dialect, 
         const GlslUniforms uniforms = candidate.blockName == "nacre_Block" ? GlslUniforms::block : GlslUniforms::none;
         Result<std::string> library = glsl({version(dialect), false, uniforms});
         if (!library) return library;
-        const std::size_t afterVersion = library->find('\n') + 1;
-        text = library->substr(0, afterVersion) + candidate.switches + library->substr(afterVersion);
+        if (!candidate.naiveForm.empty()) library = test::withNaiveForm(*library, candidate.naiveForm);
+        if (!library) return library;
+        text = *library;
     }
     Result<std::string> frame = readGlsl("frame.glsl");
     if (!frame) return frame;
