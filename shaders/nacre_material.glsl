@@ -25,6 +25,17 @@ struct nacre_Material {
     int noiseSeed;
 
     int lowerNormal;          // one of NACRE_LOWER_NORMAL_*, nacre_lower_normal.glsl
+    // Quality `physical` alone.
+    vec3 index;               // of the layer [r1]
+    vec3 substrateReal;       // square of the index below over the layer's: real
+    vec3 substrateImaginary;  // and imaginary part, 0 for a dielectric
+    vec3 diffuseAlbedo;
+    float upperScale;         // root of what normalises the upper lobe, (e0 + 2) / 2π; 1: not normalised
+    float lowerScale;         // the same of the lower lobe, without its eta²
+    int lobes;                // 1: normalised
+    int substrate;            // one of NACRE_SUBSTRATE_*
+    int quality;              // one of NACRE_QUALITY_*
+
     float deviationCos;       // of the angle between the boundaries' normals
     float deviationSin;
     float azimuthCos;         // of the direction of that tilt, from the tangent

@@ -25,6 +25,15 @@ layout(std140) uniform nacre_Block {
     int nacre_u_noiseOctaves;
     int nacre_u_noiseSeed;
     int nacre_u_lowerNormal;
+    int nacre_u_quality;
+    vec3 nacre_u_index;
+    float nacre_u_upperScale;
+    vec3 nacre_u_substrateReal;
+    float nacre_u_lowerScale;
+    vec3 nacre_u_substrateImaginary;
+    int nacre_u_substrate;
+    vec3 nacre_u_diffuseAlbedo;
+    int nacre_u_lobes;
 };
 
 #endif

@@ -25,5 +25,14 @@ uniform float nacre_u_azimuthSin;
 uniform int nacre_u_noiseOctaves;
 uniform int nacre_u_noiseSeed;
 uniform int nacre_u_lowerNormal;
+uniform int nacre_u_quality;
+uniform vec3 nacre_u_index;
+uniform float nacre_u_upperScale;
+uniform vec3 nacre_u_substrateReal;
+uniform float nacre_u_lowerScale;
+uniform vec3 nacre_u_substrateImaginary;
+uniform int nacre_u_substrate;
+uniform vec3 nacre_u_diffuseAlbedo;
+uniform int nacre_u_lobes;
 
 #endif

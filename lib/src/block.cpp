@@ -56,6 +56,15 @@ Result<Block> pack(const Material& material)
     block.noiseOctaves = m.noiseOctaves;
     block.noiseSeed = m.noiseSeed;
     block.lowerNormal = m.lowerNormal;
+    block.quality = m.quality;
+    store(block.index, m.index);
+    block.upperScale = static_cast<float>(m.upperScale);
+    store(block.substrateReal, m.substrateReal);
+    block.lowerScale = static_cast<float>(m.lowerScale);
+    store(block.substrateImaginary, m.substrateImaginary);
+    block.substrate = m.substrate;
+    store(block.diffuseAlbedo, m.diffuseAlbedo);
+    block.lobes = m.lobes;
     return block;
 }
 

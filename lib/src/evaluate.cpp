@@ -5,7 +5,7 @@
 
 #include <nacre/validate.hpp>
 
-#include "model/layered.hpp"
+#include "model/physical.hpp"
 #include "model/surface.hpp"
 
 namespace nacre {
@@ -35,7 +35,8 @@ Result<Surface> surface(const Material& material, glm::dvec3 normal, glm::dvec4 
     return Surface{s.upperNormal, s.lowerNormal, s.thicknessUm * 1000.0};
 }
 
-Result<Evaluation> evaluate(const Material& material, const Surface& surface, glm::dvec3 light, glm::dvec3 view)
+Result<Evaluation> evaluate(const Material& material, const Surface& surface, glm::dvec3 light, glm::dvec3 view,
+                            const FringeTable* fringeTable)
 {
     const std::vector<Fault> faults = validate(material);
     if (!faults.empty()) return Error{"nacre::evaluate(): " + faults.front().message};
@@ -49,22 +50,35 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
 
     const model::Material m = model::derive(material);
     const model::Surface s{surface.upperNormal, surface.lowerNormal, surface.thicknessNm / 1000.0};
-    const model::View w = model::view(m, s, view);
+    const model::PhysicalView physical = model::physicalView(m, s, view, fringeTable);
+    const model::View& w = physical.layer;
     const model::Terms t = model::terms(m, w, light);
 
     Evaluation e;
-    e.rho = model::interference(t.sqrtR, t.sqrtT, model::cosPhase(t.cycles));
-    e.R = t.sqrtR * t.sqrtR;
-    e.T = t.sqrtT * t.sqrtT;
+    if (material.quality == Quality::paper) {
+        e.rho = model::interference(t.sqrtR, t.sqrtT, model::cosPhase(t.cycles));
+        e.R = t.sqrtR * t.sqrtR;
+        e.T = t.sqrtT * t.sqrtT;
+        e.diffuse = w.diffuse;
+        e.shaded = model::light(m, w, light);
+    } else {
+        const model::PhysicalTerms p = model::physicalTerms(m, physical, light);
+        e.rho = model::physicalSpecular(m, p, fringeTable);
+        for (int channel = 0; channel < 3; ++channel) {
+            const model::Film film = model::filmOf(m, p, channel);
+            e.R[channel] = film.upper * p.rootUpper * p.rootUpper;
+            e.T[channel] = film.lower * p.rootLower[channel] * p.rootLower[channel];
+        }
+        e.diffuse = physical.diffuse;
+        e.shaded = model::physicalWeighted(m, physical, light, e.rho);
+    }
     const double cosTheta = glm::clamp(dot(w.upperNormal, light), 0.0, 1.0);
     const glm::dvec3 inside = model::refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
     const glm::bvec3 hasRays = greaterThan(min(inside, w.cosRefracted), glm::dvec3(0.0));
     e.phi = mix(glm::dvec3(0.0), glm::pi<double>() * t.cycles, hasRays);
-    e.diffuse = w.diffuse;
     e.meanCos = model::meanRefractedCosine(m.eta, m.oneMinusEtaSquared, m.normalReflectance);
     e.meanCos = mix(e.meanCos, glm::dvec3(std::numeric_limits<double>::quiet_NaN()),
                     lessThan(m.oneMinusEtaSquared, glm::dvec3(0.0)));
-    e.shaded = model::light(m, w, light);
     return e;
 }
 

@@ -5,10 +5,13 @@ namespace nacre {
 // Why these bounds: indices from X-ray-like 0.1 to semiconductors; wavelengths wider than the eye's
 // 380-780 nm, so that an infrared or ultraviolet false colour can be made; 1 mm is where a film has long
 // ceased to interfere; exponents to 1e6, a lobe of 0.1 degrees, narrower than the sun:
-// all the bounds that the accuracy figures cover. Weights are free above, for stylised looks.
-const std::array<Parameter, 15>& parameters() noexcept
+// all the bounds that the accuracy figures cover. Weights are free above, for stylised looks. Below the
+// layer n from silver's 0.04 down to 0.01, and both n and k up to 100, beyond every metal in visible light.
+const std::array<Parameter, 22>& parameters() noexcept
 {
-    static const std::array<Parameter, 15> table{{
+    static const std::array<Parameter, 22> table{{
+        {"quality", "", "", 0.0, 1.0, "--quality",
+         "paper: the model as printed, stylised and cheap. physical: the same lobes with a real film between them.", &Material::quality},
         {"ior", "r1", "", 0.1, 10.0, "--ior",
          "Index of the layer per channel. Farther from the outside index: brighter, stronger fringes. Unequal: tilted boundaries split the highlight into colours.",
          &Material::ior},
@@ -40,6 +43,16 @@ const std::array<Parameter, 15>& parameters() noexcept
          &Material::lowerExponent},
         {"specularWeight", "", "", 0.0, 1.0e3, "--weights", "Share of the specular part.", &Material::specularWeight},
         {"diffuseWeight", "", "", 0.0, 1.0e3, "--weights", "Share of the diffuse part.", &Material::diffuseWeight},
+        {"substrate", "", "", 0.0, 2.0, "--substrate", "physical: what lies below the layer, and which of the next three say so.",
+         &Material::substrate},
+        {"substrateIndex", "n", "", 0.01, 100.0, "--substrate-index",
+         "physical: index below the layer per channel. Near the layer's: no fringes. A metal's real part.", &Material::substrateIndex},
+        {"substrateAbsorption", "k", "", 0.0, 100.0, "--substrate-absorption",
+         "physical: a metal's absorption index per channel. Higher: brighter, and the fringes shift.", &Material::substrateAbsorption},
+        {"substrateF0", "", "", 0.0, 1.0, "--substrate-f0",
+         "physical: linear colour that the bare object reflects at normal incidence, in place of an index.", &Material::substrateF0},
+        {"lobes", "", "", 0.0, 1.0, "--lobes", "physical: whether a lobe's height follows from its width.", &Material::lobes},
+        {"diffuseAlbedo", "", "", 0.0, 1.0, "--diffuse-albedo", "physical: linear colour of the diffuse part.", &Material::diffuseAlbedo},
     }};
     return table;
 }
@@ -47,6 +60,24 @@ const std::array<Parameter, 15>& parameters() noexcept
 const std::array<std::string_view, 4>& lowerNormalNames() noexcept
 {
     static const std::array<std::string_view, 4> names{{"parallel", "constant", "independent", "gradient"}};
+    return names;
+}
+
+const std::array<std::string_view, 2>& qualityNames() noexcept
+{
+    static const std::array<std::string_view, 2> names{{"paper", "physical"}};
+    return names;
+}
+
+const std::array<std::string_view, 3>& substrateNames() noexcept
+{
+    static const std::array<std::string_view, 3> names{{"dielectric", "metal", "f0"}};
+    return names;
+}
+
+const std::array<std::string_view, 2>& lobesNames() noexcept
+{
+    static const std::array<std::string_view, 2> names{{"paper", "normalised"}};
     return names;
 }
 

@@ -25,10 +25,10 @@ Error missing(const char* name)
 
 }  // namespace
 
-const std::array<BlockMember, 21>& blockMembers() noexcept
+const std::array<BlockMember, 30>& blockMembers() noexcept
 {
     using Type = BlockMember::Type;
-    static const std::array<BlockMember, 21> members{{
+    static const std::array<BlockMember, 30> members{{
         {"nacre_u_eta", Type::vec3, offsetof(Block, eta)},
         {"nacre_u_upperExponent", Type::real, offsetof(Block, upperExponent)},
         {"nacre_u_etaSquared", Type::vec3, offsetof(Block, etaSquared)},
@@ -50,6 +50,15 @@ const std::array<BlockMember, 21>& blockMembers() noexcept
         {"nacre_u_noiseOctaves", Type::integer, offsetof(Block, noiseOctaves)},
         {"nacre_u_noiseSeed", Type::integer, offsetof(Block, noiseSeed)},
         {"nacre_u_lowerNormal", Type::integer, offsetof(Block, lowerNormal)},
+        {"nacre_u_quality", Type::integer, offsetof(Block, quality)},
+        {"nacre_u_index", Type::vec3, offsetof(Block, index)},
+        {"nacre_u_upperScale", Type::real, offsetof(Block, upperScale)},
+        {"nacre_u_substrateReal", Type::vec3, offsetof(Block, substrateReal)},
+        {"nacre_u_lowerScale", Type::real, offsetof(Block, lowerScale)},
+        {"nacre_u_substrateImaginary", Type::vec3, offsetof(Block, substrateImaginary)},
+        {"nacre_u_substrate", Type::integer, offsetof(Block, substrate)},
+        {"nacre_u_diffuseAlbedo", Type::vec3, offsetof(Block, diffuseAlbedo)},
+        {"nacre_u_lobes", Type::integer, offsetof(Block, lobes)},
     }};
     return members;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include <nacre/fringe_table.hpp>
 #include <nacre/glsl.hpp>
 
 #include "gl/program.hpp"
@@ -11,10 +12,10 @@ namespace nacre::test {
 namespace {
 
 // A batch is a picture of side × side pixels; its inputs a texture of as many columns per pixel as
-// an input has texels. 128 × 13 texels wide is within every driver's limits.
+// an input has texels. 128 × 18 texels wide is within every driver's limits.
 constexpr int side = 128;
 constexpr int blockTexels = sizeof(Block) / 16;
-constexpr int texels = blockTexels + 4;
+constexpr int texels = blockTexels + 5;
 constexpr int targets = 8;
 
 const char* const vertexShader = R"(#version 330 core
@@ -24,9 +25,15 @@ void main()  // one triangle that covers the picture
 }
 )";
 
-// Integers of the block are not needed here: directions and thickness are inputs.
+// The block's integers that matter here are repeated as numbers; directions and thickness are inputs.
 const char* const fragmentShader = R"(
 uniform sampler2D inputs;
+#if FRINGE_TABLE == 1
+uniform sampler2D fringeTable;
+#define FRINGE_ARGUMENT , fringeTable
+#else
+#define FRINGE_ARGUMENT
+#endif
 layout(location = 0) out vec3 rho;
 layout(location = 1) out vec3 R;
 layout(location = 2) out vec3 T;
@@ -56,25 +63,50 @@ void main()
     m.cyclesPerUmTail = texel(5).xyz;
     m.diffuseFringe = texel(6).xyz;
 
-    vec3 l = texel(9).xyz;
-    nacre_Surface s;
-    s.thicknessUm = texel(9).w;
-    s.upperNormal = texel(11).xyz;
-    s.lowerNormal = texel(12).xyz;
+    m.index = texel(9).xyz;
+    m.upperScale = texel(9).w;
+    m.substrateReal = texel(10).xyz;
+    m.lowerScale = texel(10).w;
+    m.substrateImaginary = texel(11).xyz;
+    m.diffuseAlbedo = texel(12).xyz;
+    m.quality = int(texel(17).x);
+    m.substrate = int(texel(17).y);
+    m.lobes = int(texel(17).z);
 
-    nacre_View w = nacre_view(m, s, texel(10).xyz);
+    vec3 l = texel(13).xyz;
+    nacre_Surface s;
+    s.thicknessUm = texel(13).w;
+    s.upperNormal = texel(15).xyz;
+    s.lowerNormal = texel(16).xyz;
+
+    nacre_View w = nacre_view(m, s, texel(14).xyz);
     nacre_Terms t = nacre_terms(m, w, l);
-    rho = nacre_specular(m, w, l);
-    R = t.sqrtR * t.sqrtR;
-    T = t.sqrtT * t.sqrtT;
+    if (m.quality == NACRE_QUALITY_PHYSICAL) {
+        nacre_PhysicalView physical = nacre_physicalView(m, s, texel(14).xyz FRINGE_ARGUMENT);
+        nacre_PhysicalTerms p = nacre_physicalTerms(m, physical, l);
+        rho = nacre_physicalSpecular(m, physical, l FRINGE_ARGUMENT);
+        for (int channel = 0; channel < 3; ++channel) {
+            nacre_Film film = nacre_filmOf(m.eta[channel], m.oneMinusEtaSquared[channel],
+                                           vec2(m.substrateReal[channel], m.substrateImaginary[channel]), m.substrate,
+                                           p.cosHalfSquared, vec2(p.crossingS[channel], p.crossingP[channel]));
+            R[channel] = film.upper * p.rootUpper * p.rootUpper;
+            T[channel] = film.lower * p.rootLower[channel] * p.rootLower[channel];
+        }
+        diffuse = physical.diffuse;
+        shaded = nacre_physicalLight(m, physical, l FRINGE_ARGUMENT);
+    } else {
+        rho = nacre_specular(m, w, l);
+        R = t.sqrtR * t.sqrtR;
+        T = t.sqrtT * t.sqrtT;
+        diffuse = w.diffuse;
+        shaded = nacre_light(m, w, l);
+    }
     vec3 inside = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, clamp(dot(w.upperNormal, l), 0.0, 1.0));
     bvec3 hasRays = greaterThan(min(inside, w.cosRefracted), vec3(0.0));
     // Whole cycles and all, which the library leaves out.
     vec3 cycles = (m.cyclesPerUm + m.cyclesPerUmTail) * s.thicknessUm * (sqrt(max(inside, 0.0)) + w.cosRefracted);
     phi = mix(vec3(0.0), 3.14159265 * cycles, hasRays);
-    diffuse = w.diffuse;
     meanCos = nacre_meanRefractedCosine(m.eta, m.oneMinusEtaSquared, m.normalReflectance);
-    shaded = nacre_light(m, w, l);
     lobes = vec3(t.upperOneMinus, t.lowerOneMinus.r, t.lowerOneMinus.b);
 }
 )";
@@ -89,6 +121,7 @@ void pack(const GpuInput& input, float* target)
     put(1, input.view);
     put(2, input.upperNormal);
     put(3, input.lowerNormal);
+    put(4, {input.block.quality, input.block.substrate, input.block.lobes});
 }
 
 void makeTexture(const demo::GlFunctions& gl, GLuint texture, GLint format, int width)
@@ -101,17 +134,30 @@ void makeTexture(const demo::GlFunctions& gl, GLuint texture, GLint format, int 
 
 }  // namespace
 
-Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context)
+Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context, FringeForm form)
 {
     GpuEvaluator evaluator(context);
     const demo::GlFunctions& gl = context.gl();
 
     Result<std::string> library = glsl({330, false, GlslUniforms::none});
     if (!library) return library.error();
-    const std::string main = "#define TEXELS " + std::to_string(texels) + '\n' + fragmentShader;
+    const std::string main = "#define TEXELS " + std::to_string(texels) + "\n#define FRINGE_TABLE " +
+                             (form == FringeForm::table ? "1\n" : "0\n") + fragmentShader;
     Result<GLuint> program = demo::linkProgram(gl, vertexShader, *library + main);
     if (!program) return program.error();
     evaluator.program_ = *program;
+
+    if (form == FringeForm::table) {
+        Result<FringeTable> table = FringeTable::create();
+        if (!table) return table.error();
+        gl.GenTextures(1, &evaluator.fringeTable_);
+        gl.BindTexture(GL_TEXTURE_2D, evaluator.fringeTable_);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, FringeTable::width, FringeTable::height, 0, GL_RGBA, GL_FLOAT, table->texels().data());
+    }
 
     gl.GenVertexArrays(1, &evaluator.vertexArray_);
     gl.GenTextures(1, &evaluator.input_);
@@ -145,6 +191,12 @@ Result<std::vector<GpuOutput>> GpuEvaluator::run(const std::vector<GpuInput>& in
     gl.Viewport(0, 0, side, side);
     gl.UseProgram(program_);
     gl.BindVertexArray(vertexArray_);
+    if (fringeTable_ != 0) {
+        gl.Uniform1i(gl.GetUniformLocation(program_, "fringeTable"), 1);
+        gl.ActiveTexture(GL_TEXTURE1);
+        gl.BindTexture(GL_TEXTURE_2D, fringeTable_);
+        gl.ActiveTexture(GL_TEXTURE0);
+    }
     gl.BindTexture(GL_TEXTURE_2D, input_);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     for (std::size_t first = 0; first < inputs.size(); first += batch) {

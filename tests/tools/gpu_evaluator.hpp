@@ -18,16 +18,19 @@ struct GpuInput {
     float thicknessUm;
 };
 
+/// Where quality `physical` has its fringes from.
+enum class FringeForm { table, analytic };
+
 /// What the shader makes of it: the members of nacre::Evaluation, and 1 - the lobes' cosines (upper, lower
 /// red, lower blue).
 struct GpuOutput {
     glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded, lobes;
 };
 
-/// Runs the library's GLSL, unmodified, once per input in a fragment shader with float32 targets.
+/// Runs the library's GLSL, unmodified, of the quality that each block asks for, once per input in a fragment shader with float32 targets.
 class GpuEvaluator {
 public:
-    static Result<GpuEvaluator> create(const demo::Context& context);
+    static Result<GpuEvaluator> create(const demo::Context& context, FringeForm form = FringeForm::table);
 
     /// As many outputs as inputs, in their order. Fails where the driver reports an error.
     Result<std::vector<GpuOutput>> run(const std::vector<GpuInput>& inputs) const;
@@ -35,7 +38,7 @@ public:
 private:
     explicit GpuEvaluator(const demo::Context& context) : gl_(&context.gl()) {}
     const demo::GlFunctions* gl_;
-    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, input_ = 0;
+    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, input_ = 0, fringeTable_ = 0;
     std::vector<GLuint> outputs_;
 };
 

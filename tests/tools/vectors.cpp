@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace nacre::test {
 namespace {
@@ -18,7 +19,7 @@ std::vector<std::string> perChannel(const std::vector<std::string>& names)
 }
 
 // The cells of a row as the columns name them, in inputColumns()' order.
-Case caseFrom(const std::vector<double>& cell)
+Case caseFrom(const std::vector<double>& cell, Quality quality)
 {
     std::size_t next = 0;
     const auto real = [&] { return cell[next++]; };
@@ -38,17 +39,29 @@ Case caseFrom(const std::vector<double>& cell)
     one.material.lowerExponent = real();
     one.material.iorOutside = real();
     one.material.wavelengthNm = vector();
+    one.material.quality = quality;
+    if (quality == Quality::physical) {
+        one.material.substrateIndex = vector();
+        one.material.substrateAbsorption = vector();
+        const bool absorbs = glm::any(glm::notEqual(one.material.substrateAbsorption, glm::dvec3(0.0)));
+        one.material.substrate = absorbs ? Substrate::metal : Substrate::dielectric;
+    }
     return one;
 }
 
 }  // namespace
 
-const std::vector<std::string>& inputColumns()
+const std::vector<std::string>& inputColumns(Quality quality)
 {
     static const std::vector<std::string> columns = {
         "lx",    "ly",    "lz",    "vx",           "vy", "vz", "n0x",         "n0y",             "n0z",            "n1x", "n1y", "n1z",
         "ior_r", "ior_g", "ior_b", "thickness_nm", "e0", "e1", "ior_outside", "wavelength_nm_r", "wavelength_nm_g", "wavelength_nm_b"};
-    return columns;
+    static const std::vector<std::string> physical = [] {
+        std::vector<std::string> all = columns;
+        for (const std::string& column : perChannel({"substrate_n", "substrate_k"})) all.push_back(column);
+        return all;
+    }();
+    return quality == Quality::physical ? physical : columns;
 }
 
 const std::vector<std::string>& resultColumns()
@@ -57,10 +70,10 @@ const std::vector<std::string>& resultColumns()
     return columns;
 }
 
-Result<std::vector<Case>> readCases(const CsvTable& table)
+Result<std::vector<Case>> readCases(const CsvTable& table, Quality quality)
 {
     std::vector<std::size_t> indices;
-    for (const std::string& column : inputColumns()) {
+    for (const std::string& column : inputColumns(quality)) {
         indices.push_back(table.find(column));
         if (indices.back() == table.columns.size()) return Error{"CSV: expected a column " + column + ", there is none"};
     }
@@ -72,16 +85,16 @@ Result<std::vector<Case>> readCases(const CsvTable& table)
             if (!cell) return cell.error();
             cells.push_back(*cell);
         }
-        cases.push_back(caseFrom(cells));
+        cases.push_back(caseFrom(cells, quality));
         Result<Evaluation> evaluation = evaluate(cases.back());
         if (!evaluation) return Error{"CSV row " + std::to_string(row + 1) + ": " + evaluation.error().message};
     }
     return cases;
 }
 
-Result<Evaluation> evaluate(const Case& one)
+Result<Evaluation> evaluate(const Case& one, const FringeTable* fringeTable)
 {
-    return nacre::evaluate(one.material, one.surface, glm::normalize(one.light), glm::normalize(one.view));
+    return nacre::evaluate(one.material, one.surface, glm::normalize(one.light), glm::normalize(one.view), fringeTable);
 }
 
 Result<GpuInput> gpuInput(const Case& one)

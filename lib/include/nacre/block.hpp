@@ -32,9 +32,17 @@ struct Block {
     std::int32_t noiseOctaves;
     std::int32_t noiseSeed;
     std::int32_t lowerNormal;
-    std::int32_t padding;
+    std::int32_t quality;
+    float index[3];
+    float upperScale;
+    float substrateReal[3];
+    float lowerScale;
+    float substrateImaginary[3];
+    std::int32_t substrate;
+    float diffuseAlbedo[3];
+    std::int32_t lobes;
 };
-static_assert(sizeof(Block) == 144, "std140: nine rows of four words, none of them padded by the compiler");
+static_assert(sizeof(Block) == 208, "std140: thirteen rows of four words, none of them padded by the compiler");
 
 /// The block of a material; the first fault that `validate` finds otherwise, never a NaN.
 /// Allocates nothing where the material is valid.

@@ -13,6 +13,25 @@ enum class LowerNormal {
     gradient = 3,     ///< Leans along the gradient of the thickness, as in bump mapping (Figure 4).
 };
 
+/// How the layer is computed. The values are those of NACRE_QUALITY_* in the shaders.
+enum class Quality {
+    paper = 0,     ///< As Granier & Heidrich print it: two beams, Schlick's Fresnel, three wavelengths.
+    physical = 1,  ///< The same two lobes with a real film: exact Fresnel, internal bounces, spectral fringes.
+};
+
+/// What lies below the layer, for quality `physical`. (`paper` takes it as a perfect mirror.)
+enum class Substrate {
+    dielectric = 0,  ///< By substrateIndex.
+    metal = 1,       ///< By substrateIndex and substrateAbsorption.
+    f0 = 2,          ///< By substrateF0, a colour as game engines have it.
+};
+
+/// How high the lobes of quality `physical` are.
+enum class Lobes {
+    paper = 0,       ///< 1 at their peak, as the paper's: the look does not depend on the exponents.
+    normalised = 1,  ///< Over their integral: energy is conserved, a smoother boundary shines brighter.
+};
+
 /// A transparent layer on an opaque object: what an artist sets. Plain data; any member may be set
 /// in any order, `validate` names what does not fit. A dvec3 holds the channels R, G, B.
 ///
@@ -22,6 +41,8 @@ enum class LowerNormal {
 /// The defaults are a film of crown glass (Schott N-BK7 at the three wavelengths) that varies
 /// between 200 and 400 nm.
 struct Material {
+    Quality quality = Quality::paper;
+
     glm::dvec3 ior{1.5148, 1.5196, 1.5263};  ///< Index of the layer [r1(λ)].
     double iorOutside = 1.0;                 ///< Index outside [r0].
     glm::dvec3 wavelengthNm{645.0, 525.0, 445.0};
@@ -41,6 +62,14 @@ struct Material {
 
     double specularWeight = 1.0;
     double diffuseWeight = 0.5;
+
+    /// From here on for quality `physical` alone.
+    Substrate substrate = Substrate::dielectric;
+    glm::dvec3 substrateIndex{1.77, 1.77, 1.78};       ///< Sapphire; of a metal the real part n.
+    glm::dvec3 substrateAbsorption{0.0};               ///< k of a metal.
+    glm::dvec3 substrateF0{0.04};                      ///< Reflectance at normal incidence in air, linear.
+    Lobes lobes = Lobes::paper;
+    glm::dvec3 diffuseAlbedo{0.8};
 };
 
 }  // namespace nacre

@@ -12,7 +12,8 @@ namespace nacre {
 
 /// One member of Material as a user meets it. The only place where names, units and ranges stand.
 struct Parameter {
-    using Member = std::variant<double Material::*, glm::dvec3 Material::*, int Material::*, LowerNormal Material::*>;
+    using Member = std::variant<double Material::*, glm::dvec3 Material::*, int Material::*, LowerNormal Material::*,
+                                Quality Material::*, Substrate Material::*, Lobes Material::*>;
 
     std::string_view name;    ///< As the member is spelt.
     std::string_view symbol;  ///< The paper's, empty where it has none.
@@ -24,9 +25,12 @@ struct Parameter {
 };
 
 /// All members of Material in their order; their defaults are those of `Material{}`.
-const std::array<Parameter, 15>& parameters() noexcept;
+const std::array<Parameter, 22>& parameters() noexcept;
 
-/// The names of LowerNormal's values in their order.
+/// The names of an enumeration's values in their order.
 const std::array<std::string_view, 4>& lowerNormalNames() noexcept;
+const std::array<std::string_view, 2>& qualityNames() noexcept;
+const std::array<std::string_view, 3>& substrateNames() noexcept;
+const std::array<std::string_view, 2>& lobesNames() noexcept;
 
 }  // namespace nacre

@@ -21,8 +21,8 @@ struct BlockMember {
     std::size_t offset;  ///< In Block, bytes; std140 puts it at the same place.
 };
 
-/// All members of Block, without its padding.
-const std::array<BlockMember, 21>& blockMembers() noexcept;
+/// All members of Block.
+const std::array<BlockMember, 30>& blockMembers() noexcept;
 
 /// Sets a material by plain uniforms (GlslUniforms::plain).
 ///
@@ -48,7 +48,7 @@ private:
     void(NACRE_GL_CALL* uniform1f_)(int, float) = nullptr;
     void(NACRE_GL_CALL* uniform1i_)(int, int) = nullptr;
     void(NACRE_GL_CALL* uniform3fv_)(int, int, const float*) = nullptr;
-    std::array<int, 21> locations_{};
+    std::array<int, 30> locations_{};
 };
 
 }  // namespace nacre

@@ -1,8 +1,32 @@
 #include "material.hpp"
 
+#include <glm/gtc/constants.hpp>
+
 #include "diffuse.hpp"
 
 namespace nacre::model {
+namespace {
+
+// The index of a dielectric that reflects f0 at normal incidence in air, as engines do. A perfect mirror
+// would need an infinite one: 0.9999, an index of 40,000, stands for it.
+dvec3 indexFromF0(dvec3 f0)
+{
+    const dvec3 root = sqrt(min(f0, dvec3(0.9999)));
+    return (1.0 + root) / (1.0 - root);
+}
+
+void deriveSubstrate(Material& m, const nacre::Material& material)
+{
+    const bool isMetal = material.substrate == Substrate::metal;
+    const dvec3 n = material.substrate == Substrate::f0 ? indexFromF0(material.substrateF0) : material.substrateIndex;
+    const dvec3 k = isMetal ? material.substrateAbsorption : dvec3(0.0);
+    const dvec3 r1Squared = material.ior * material.ior;
+    m.substrateReal = (n - k) * (n + k) / r1Squared;
+    m.substrateImaginary = 2.0 * n * k / r1Squared;
+    m.substrate = isMetal ? 1 : 0;
+}
+
+}  // namespace
 
 Material derive(const nacre::Material& material)
 {
@@ -29,6 +53,15 @@ Material derive(const nacre::Material& material)
     m.noiseFrequency = material.noiseFrequency;
     m.noiseOctaves = material.noiseOctaves;
     m.noiseSeed = material.noiseSeed;
+
+    m.quality = static_cast<int>(material.quality);
+    m.index = r1;
+    deriveSubstrate(m, material);
+    m.diffuseAlbedo = material.diffuseAlbedo;
+    m.lobes = static_cast<int>(material.lobes);
+    const bool isNormalised = material.lobes == Lobes::normalised;
+    m.upperScale = isNormalised ? std::sqrt((m.upperExponent + 2.0) / glm::two_pi<double>()) : 1.0;
+    m.lowerScale = isNormalised ? std::sqrt((m.lowerExponent + 2.0) / glm::two_pi<double>()) : 1.0;
 
     m.lowerNormal = static_cast<int>(material.lowerNormal);
     m.deviationCos = std::cos(glm::radians(material.deviationDegrees));

@@ -35,6 +35,16 @@ struct Material {
     int noiseSeed;
 
     int lowerNormal;
+    dvec3 index;
+    dvec3 substrateReal;
+    dvec3 substrateImaginary;
+    dvec3 diffuseAlbedo;
+    double upperScale;
+    double lowerScale;
+    int lobes;
+    int substrate;
+    int quality;
+
     double deviationCos;
     double deviationSin;
     double azimuthCos;

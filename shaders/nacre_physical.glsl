@@ -1,0 +1,204 @@
+#ifndef NACRE_PHYSICAL_GLSL
+#define NACRE_PHYSICAL_GLSL
+
+// Quality `physical`: the paper's two lobes with a real film between them (nacre_airy.glsl). As in
+// nacre_layered.glsl the view is computed once, then each light asks for its share. Light and viewer
+// may be swapped. Every function that needs fringes has two forms: with the fringe table, or without.
+
+// What depends on material, surface and view, not on the light.
+struct nacre_PhysicalView {
+    nacre_View layer;           // what both qualities share
+    vec3 crossingS, crossingP;  // root of what leaves the layer towards the viewer, per polarisation
+    vec3 lowerScale;            // root of what normalises the lower lobe
+    vec3 pathAtNormal;          // r1 d, µm
+    vec3 diffuse;               // BRDF of the diffuse part
+};
+
+// What light and view make of each other, before they interfere.
+struct nacre_PhysicalTerms {
+    float rootUpper;            // √L0
+    vec3 rootLower;             // √L1
+    float cosHalfSquared;       // of the angle between light and half vector
+    vec3 crossingS, crossingP;  // τ: into the layer and out of it
+    vec3 path;                  // r1 d (cosTi + cosTo), µm
+};
+
+// τ of one direction for three channels.
+void nacre_crossings(vec3 eta, float cosTheta, vec3 cosRefracted, out vec3 s, out vec3 p)
+{
+    vec2 r = nacre_crossing(eta.x, cosTheta, cosRefracted.x);
+    vec2 g = nacre_crossing(eta.y, cosTheta, cosRefracted.y);
+    vec2 b = nacre_crossing(eta.z, cosTheta, cosRefracted.z);
+    s = vec3(r.x, g.x, b.x);
+    p = vec3(r.y, g.y, b.y);
+}
+
+// Diffuse BRDF: Eq 16 with the sensor's fringe in place of one wavelength's, over its greatest value
+// (√Rd + √Td)², so that it never exceeds the albedo, over π. cosine: C(2 r1 d).
+vec3 nacre_physicalDiffuse(nacre_Material m, vec3 cosine)
+{
+    vec3 fringe = (1.0 + m.diffuseFringe * clamp(cosine, -1.0, 1.0)) / (1.0 + m.diffuseFringe);
+    return m.diffuseAlbedo * fringe * 0.318309886;
+}
+
+// The view but for its diffuse part. v: unit vector to the viewer.
+nacre_PhysicalView nacre_physicalViewWithoutDiffuse(nacre_Material m, nacre_Surface s, vec3 v)
+{
+    nacre_PhysicalView w;
+    w.layer = nacre_view(m, s, v);
+    nacre_crossings(m.eta, w.layer.cosTheta, w.layer.cosRefracted, w.crossingS, w.crossingP);
+    w.lowerScale = m.lobes == 1 ? m.lowerScale * nacre_lowerLobeScale(m.eta, w.layer.cosBetween, m.lowerExponent) : vec3(1.0);
+    w.pathAtNormal = m.index * s.thicknessUm;
+    w.diffuse = vec3(0.0);
+    return w;
+}
+
+nacre_PhysicalView nacre_physicalView(nacre_Material m, nacre_Surface s, vec3 v)
+{
+    nacre_PhysicalView w = nacre_physicalViewWithoutDiffuse(m, s, v);
+    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_cosineFringe(2.0 * w.pathAtNormal).order[0]);
+    return w;
+}
+
+nacre_PhysicalView nacre_physicalView(nacre_Material m, nacre_Surface s, vec3 v, sampler2D fringeTable)
+{
+    nacre_PhysicalView w = nacre_physicalViewWithoutDiffuse(m, s, v);
+    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_cosineFringe(fringeTable, 2.0 * w.pathAtNormal).order[0]);
+    return w;
+}
+
+// l: unit vector to the light. No lobes where light or viewer is not above the surface.
+nacre_PhysicalTerms nacre_physicalTerms(nacre_Material m, nacre_PhysicalView w, vec3 l)
+{
+    nacre_PhysicalTerms t = nacre_PhysicalTerms(0.0, vec3(0.0), 1.0, vec3(0.0), vec3(0.0), vec3(0.0));
+    nacre_View o = w.layer;
+    float cosTheta = min(dot(o.upperNormal, l), 1.0);
+    if (cosTheta > 0.0 && o.cosTheta > 0.0) {
+        vec3 halfVector = l + o.direction;
+        t.cosHalfSquared = min(0.25 * dot(halfVector, halfVector), 1.0);
+        vec3 cosSquared = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
+        vec3 cosRefracted = sqrt(max(cosSquared, 0.0));
+        float upper = nacre_upperLobeOneMinus(o.upperNormal, halfVector, cosTheta, o.cosTheta);
+
+        vec3 lower;
+#if NACRE_TILT == 0
+        vec3 across = halfVector - o.upperNormal * (cosTheta + o.cosTheta);
+        lower = nacre_lowerLobeOneMinusParallel(m.etaSquared, dot(across, across), cosTheta, o.cosTheta, cosRefracted + o.cosRefracted);
+        bvec3 meets = lessThan(lower, vec3(1.0));
+#else
+        vec3 lowerCosine = nacre_lowerCosine(m.eta, o.cosBetween, cosTheta, dot(o.lowerNormal, l), cosRefracted);
+        vec2 halfAcross = vec2(dot(o.frameX, halfVector), dot(o.frameY, halfVector));
+        lower = nacre_lowerLobeOneMinus(m.eta, halfAcross, o.upperAcross, cosTheta + o.cosTheta,
+                                        cosRefracted + o.cosRefracted, lowerCosine - o.lowerCosine);
+        // The three null conditions under Eq 10.
+        vec3 worst = max(lower - 1.0, max(lowerCosine, o.lowerCosine));
+        bvec3 meets = lessThan(worst, vec3(0.0));
+#endif
+        t.rootUpper = nacre_powerOneMinus(upper, 0.5 * m.upperExponent);
+        t.rootLower = mix(vec3(0.0), nacre_powerOneMinus(lower, 0.5 * m.lowerExponent), meets);
+        if (m.lobes == 1) {
+            t.rootUpper *= m.upperScale * inversesqrt(nacre_lobeFlattening(m.upperExponent, max(cosTheta, o.cosTheta)));
+            t.rootLower *= w.lowerScale *
+                           inversesqrt(max(nacre_lobeFlattening(m.lowerExponent, max(cosRefracted, o.cosRefracted)), 1e-18));
+        }
+
+        // 0 beyond the critical angle, where no ray enters or leaves.
+        nacre_crossings(m.eta, cosTheta, cosRefracted, t.crossingS, t.crossingP);
+        t.crossingS *= w.crossingS;
+        t.crossingP *= w.crossingP;
+        t.path = w.pathAtNormal * (cosRefracted + o.cosRefracted);
+    }
+    return t;
+}
+
+// The film of one channel. crossing: τ of s and p. The angle within the film is that of the half vector's,
+// refracted: light and viewer enter alike, and in the mirror direction it is the ray's own.
+// Below the outside's index, beyond the critical angle: a² = 1, and nothing else.
+nacre_Film nacre_filmOf(float eta, float oneMinusEtaSquared, vec2 substrate, int kind, float cosHalfSquared, vec2 crossing)
+{
+    float cosSquared = oneMinusEtaSquared + eta * eta * cosHalfSquared;
+    float sineSquared = eta * eta * (1.0 - cosHalfSquared);
+    float cosRefracted = sqrt(max(cosSquared, 0.0));
+    vec2 a = nacre_upperAmplitudes(eta, oneMinusEtaSquared, sqrt(cosHalfSquared), cosRefracted);
+    bool reflectsAll = cosSquared < 0.0;
+    a = reflectsAll ? vec2(1.0) : a;
+    crossing = reflectsAll ? vec2(0.0) : crossing;
+    if (kind == NACRE_SUBSTRATE_METAL) {
+        vec4 b = nacre_lowerAmplitudesMetal(substrate, sineSquared, cosRefracted);
+        return nacre_film(a, vec2(dot(b.xy, b.xy), dot(b.zw, b.zw)), -a.xxyy * b, crossing);
+    }
+    vec2 b = nacre_lowerAmplitudes(substrate.x, sineSquared, cosRefracted);
+    vec2 q = -a * b;
+    return nacre_film(a, b * b, vec4(q.x, 0.0, q.y, 0.0), crossing);
+}
+
+// ρ of one channel; cosine, sine: that channel's fringes, sine for metals alone.
+float nacre_filmChannel(nacre_Film film, int kind, float cosine[NACRE_ORDERS], float sine[NACRE_ORDERS], float coherence,
+                        float rootUpper, float rootLower)
+{
+    float fringes;
+    if (kind == NACRE_SUBSTRATE_METAL) {
+        vec2 c[NACRE_ORDERS];
+        for (int m = 0; m < NACRE_ORDERS; ++m) c[m] = vec2(cosine[m], sine[m]);
+        fringes = nacre_fringeSumMetal(film, c, coherence);
+    } else {
+        fringes = nacre_fringeSum(film, cosine, coherence);
+    }
+    return nacre_filmReflectance(film, fringes, rootUpper, rootLower);
+}
+
+// The film in three channels: the specular part ρ, a BRDF without the cosine.
+vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalTerms t, nacre_Fringe cosine, nacre_Fringe sine)
+{
+    vec3 rho;
+    for (int channel = 0; channel < 3; ++channel) {
+        nacre_Film film = nacre_filmOf(m.eta[channel], m.oneMinusEtaSquared[channel],
+                                       vec2(m.substrateReal[channel], m.substrateImaginary[channel]), m.substrate,
+                                       t.cosHalfSquared, vec2(t.crossingS[channel], t.crossingP[channel]));
+        float c[NACRE_ORDERS], s[NACRE_ORDERS];
+        for (int order = 0; order < NACRE_ORDERS; ++order) {
+            c[order] = cosine.order[order][channel];
+            s[order] = sine.order[order][channel];
+        }
+        rho[channel] = nacre_filmChannel(film, m.substrate, c, s, cosine.coherence[channel], t.rootUpper, t.rootLower[channel]);
+    }
+    return rho;
+}
+
+// The specular part ρ, a BRDF without the cosine.
+vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
+{
+    nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
+    nacre_Fringe cosine = nacre_cosineFringe(t.path);
+    nacre_Fringe sine = cosine;
+    if (m.substrate == NACRE_SUBSTRATE_METAL) sine = nacre_sineFringe(t.path);
+    return nacre_filmSpecular(m, t, cosine, sine);
+}
+
+vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
+{
+    nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
+    nacre_Fringe cosine = nacre_cosineFringe(fringeTable, t.path);
+    nacre_Fringe sine = cosine;
+    if (m.substrate == NACRE_SUBSTRATE_METAL) sine = nacre_sineFringe(fringeTable, t.path);
+    return nacre_filmSpecular(m, t, cosine, sine);
+}
+
+// What a light of radiance 1 adds to the pixel: both parts, weighted as in Sec 6, times the cosine.
+vec3 nacre_physicalWeighted(nacre_Material m, nacre_PhysicalView w, vec3 l, vec3 specular)
+{
+    float cosTheta = w.layer.cosTheta > 0.0 ? clamp(dot(w.layer.upperNormal, l), 0.0, 1.0) : 0.0;
+    return (m.specularWeight * specular + m.diffuseWeight * w.diffuse) * cosTheta;
+}
+
+vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l)
+{
+    return nacre_physicalWeighted(m, w, l, nacre_physicalSpecular(m, w, l));
+}
+
+vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
+{
+    return nacre_physicalWeighted(m, w, l, nacre_physicalSpecular(m, w, l, fringeTable));
+}
+
+#endif

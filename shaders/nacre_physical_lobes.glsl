@@ -1,0 +1,40 @@
+#ifndef NACRE_PHYSICAL_LOBES_GLSL
+#define NACRE_PHYSICAL_LOBES_GLSL
+
+// The two lobes of Eq 6 and 10 as quality `physical` takes them: as roots, which the fringes multiply,
+// and normalised where the material asks for it.
+
+// 1 - <r_ti, -t_o> between parallel boundaries: Eq 10 without its tilt.
+// cosTi - cosTo as a quotient: the difference of the roots would cancel.
+vec3 nacre_lowerLobeOneMinusParallel(vec3 etaSquared, float halfAcrossSquared, float cosThetaI, float cosThetaO, vec3 cosRefractedSum)
+{
+    float difference = (cosThetaI - cosThetaO) * (cosThetaI + cosThetaO);
+    vec3 along = etaSquared * difference / max(cosRefractedSum, 1e-18);
+    return 0.5 * (etaSquared * halfAcrossSquared + along * along);
+}
+
+// What a Phong lobe cos^e gains when it is normalised, apart from the host's (e + 2) / 2π: one over
+// this. Differs: (e + 2) / 2π is exact at normal incidence alone, towards the horizon a lobe loses half
+// of itself to it. Divided by the larger cosine it is reciprocal, loses far less and never gains: for
+// e >= 1 the albedo stays <= 1 at every angle. Below, the lobe is so wide that the quotient would gain
+// (up to 2 at e = 0), so it is blended to 1.
+float nacre_lobeFlattening(float exponent, float cosLarger)
+{
+    return 1.0 + min(exponent, 1.0) * (cosLarger - 1.0);
+}
+
+vec3 nacre_lobeFlattening(float exponent, vec3 cosLarger)
+{
+    return 1.0 + min(exponent, 1.0) * (cosLarger - 1.0);
+}
+
+// Root of what the lower lobe's (e + 2) / 2π has to be multiplied by. Inside, solid angles are eta²
+// times those outside. A lobe that the tilt turns away from its own mirror direction is flattened by
+// less than its cosine: up to (e + 2) / (e + 1) too much, taken off as the tilt leaves the lobe's width.
+vec3 nacre_lowerLobeScale(vec3 eta, float cosBetween, float exponent)
+{
+    float alike = exponent > 0.0 ? pow(clamp(cosBetween, 0.0, 1.0), exponent) : 1.0;
+    return eta * sqrt((exponent + 1.0 + alike) / (exponent + 2.0));
+}
+
+#endif
