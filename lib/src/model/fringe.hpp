@@ -20,11 +20,11 @@ struct Fringe {
     dvec3 coherence;
 };
 
-inline const dvec4 fringeLines(2.21777329, 1.90323211, 1.80066057, 1.65613584);
-inline const dvec4 fringeDecay(-0.326050502, -0.597568706, -0.333464053, -0.182553661);
-inline const dvec4 fringeRed(0.144104333, -0.766224695, -0.123130069, 1.74524067);
-inline const dvec4 fringeGreen(-0.142321058, 0.457073224, 0.991558119, -0.306269928);
-inline const dvec4 fringeBlue(1.11180121, 0.0629774427, -0.182906239, 0.00815719672);
+inline const dvec4 fringeLines(2.21777322, 1.90322369, 1.80066289, 1.65613586);
+inline const dvec4 fringeDecay(-0.326053914, -0.597588231, -0.333458856, -0.182555639);
+inline const dvec4 fringeRed(0.144105461, -0.766282724, -0.123086929, 1.74525443);
+inline const dvec4 fringeGreen(-0.142321879, 0.457108368, 0.991535075, -0.306281223);
+inline const dvec4 fringeBlue(1.11180163, 0.0629806261, -0.182909394, 0.00815675084);
 
 inline dvec4 linePhase(double path)
 {
