@@ -86,16 +86,16 @@ std::string shape(const std::string& option)
     return count == 3 ? "R,G,B" : count == 2 ? "UPPER,LOWER" : "N";
 }
 
-Outcome applyChoice(Material& material, const Parameter& parameter, LowerNormal Material::*member, const std::string& text)
+Outcome applyChoice(Material& material, const Parameter& parameter, const std::string& text)
 {
-    const auto& names = lowerNormalNames();
+    const auto& names = choices(parameter);
     const auto at = std::find(names.begin(), names.end(), text);
     if (at == names.end()) {
         std::string known;
         for (std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
         return Error{std::string(parameter.option) + ": expected one of " + known + ", got '" + text + "'"};
     }
-    material.*member = static_cast<LowerNormal>(at - names.begin());
+    setChoice(material, parameter, static_cast<int>(at - names.begin()));
     return std::monostate{};
 }
 
@@ -134,9 +134,9 @@ void MaterialOptions::addTo(CLI::App& app)
         for (const Parameter& parameter : sharing(option)) help << (help.tellp() > 0 ? " " : "") << parameter.effect;
         const Parameter first = sharing(option).front();
         std::string form = shape(option);
-        if (std::holds_alternative<LowerNormal Material::*>(first.member)) {
+        if (!choices(first).empty()) {
             form.clear();
-            for (std::string_view name : lowerNormalNames()) form += (form.empty() ? "" : "|") + std::string(name);
+            for (std::string_view name : choices(first)) form += (form.empty() ? "" : "|") + std::string(name);
         }
         help << " [default " << defaultText(option) << "; " << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
         app.add_option(option, given_[option], help.str())->type_name(form)->group("Material");
@@ -149,8 +149,8 @@ Result<Material> MaterialOptions::apply(Material material) const
         if (text.empty()) continue;
         const Parameter first = sharing(option).front();
         Outcome outcome = std::monostate{};
-        if (const auto* choice = std::get_if<LowerNormal Material::*>(&first.member)) {
-            outcome = applyChoice(material, first, *choice, text);
+        if (!choices(first).empty()) {
+            outcome = applyChoice(material, first, text);
         } else if (const auto* whole = std::get_if<int Material::*>(&first.member)) {
             outcome = applyWhole(material, first, *whole, text);
         } else {
@@ -179,8 +179,8 @@ std::string valueText(const Material& material, const Parameter& parameter)
     if (const auto* rgb = std::get_if<glm::dvec3 Material::*>(&parameter.member)) {
         text << (material.**rgb).r << ',' << (material.**rgb).g << ',' << (material.**rgb).b;
     }
-    if (const auto* choice = std::get_if<LowerNormal Material::*>(&parameter.member)) {
-        text << lowerNormalNames()[static_cast<std::size_t>(material.**choice)];
+    if (!choices(parameter).empty()) {
+        text << choices(parameter)[static_cast<std::size_t>(choice(material, parameter))];
     }
     return text.str();
 }

@@ -45,6 +45,21 @@ TEST(Validate, NamesFieldValueAndRange)
     m.lowerNormal = static_cast<LowerNormal>(7);
     EXPECT_EQ(onlyFault(m), "expected 0 <= lowerNormal <= 3, got 7");
     m = {};
+    m.quality = static_cast<Quality>(2);
+    EXPECT_EQ(onlyFault(m), "expected 0 <= quality <= 1, got 2");
+    m = {};
+    m.substrate = static_cast<Substrate>(-1);
+    EXPECT_EQ(onlyFault(m), "expected 0 <= substrate <= 2, got -1");
+    m = {};
+    m.substrateIndex.b = 0.0;
+    EXPECT_EQ(onlyFault(m), "expected 0.01 <= substrateIndex.b <= 100, got 0");
+    m = {};
+    m.substrateAbsorption.r = -0.5;
+    EXPECT_EQ(onlyFault(m), "expected 0 <= substrateAbsorption.r <= 100, got -0.5");
+    m = {};
+    m.substrateF0.g = 1.5;
+    EXPECT_EQ(onlyFault(m), "expected 0 <= substrateF0.g <= 1, got 1.5");
+    m = {};
     m.thicknessLeastNm = 500.0;
     EXPECT_EQ(onlyFault(m), "expected thicknessLeastNm <= thicknessMostNm (400), got 500");
 }
@@ -90,7 +105,7 @@ TEST(Pack, HostileMaterialsNeverYieldNan)
         EXPECT_EQ(static_cast<bool>(block), validate(m).empty());
         if (!block) continue;
         ++packed;
-        float floats[32];
+        float floats[sizeof(Block) / 4];
         std::memcpy(floats, &*block, sizeof floats);
         for (float value : floats) ASSERT_TRUE(std::isfinite(value));
     }
@@ -123,7 +138,7 @@ TEST(Parameters, CoverEveryMemberOnceAndTheirDefaultsAreValid)
     }
     EXPECT_TRUE(validate(Material{}).empty());
     // What the table has not got a place for would make the struct larger than this sum.
-    EXPECT_EQ(sizeof(Material), 2 * sizeof(glm::dvec3) + 10 * sizeof(double) + 4 * sizeof(int));
+    EXPECT_EQ(sizeof(Material), 6 * sizeof(glm::dvec3) + 10 * sizeof(double) + 7 * sizeof(int) + 3 * sizeof(int) /* alignment */);
 }
 
 TEST(Presets, AreThePapersFiguresAndValid)

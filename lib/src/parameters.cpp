@@ -1,6 +1,20 @@
 #include <nacre/parameters.hpp>
 
+#include <type_traits>
+
 namespace nacre {
+namespace {
+
+template <class Member>
+constexpr bool isChoice = std::is_enum_v<std::decay_t<decltype(std::declval<Material&>().*std::declval<Member>())>>;
+
+template <std::size_t N>
+std::vector<std::string_view> list(const std::array<std::string_view, N>& names)
+{
+    return {names.begin(), names.end()};
+}
+
+}  // namespace
 
 // Why these bounds: indices from X-ray-like 0.1 to semiconductors; wavelengths wider than the eye's
 // 380-780 nm, so that an infrared or ultraviolet false colour can be made; 1 mm is where a film has long
@@ -79,6 +93,36 @@ const std::array<std::string_view, 2>& lobesNames() noexcept
 {
     static const std::array<std::string_view, 2> names{{"paper", "normalised"}};
     return names;
+}
+
+const std::vector<std::string_view>& choices(const Parameter& parameter)
+{
+    static const std::vector<std::string_view> none, lowerNormal = list(lowerNormalNames()), quality = list(qualityNames()),
+                                                     substrate = list(substrateNames()), lobes = list(lobesNames());
+    if (std::holds_alternative<LowerNormal Material::*>(parameter.member)) return lowerNormal;
+    if (std::holds_alternative<Quality Material::*>(parameter.member)) return quality;
+    if (std::holds_alternative<Substrate Material::*>(parameter.member)) return substrate;
+    if (std::holds_alternative<Lobes Material::*>(parameter.member)) return lobes;
+    return none;
+}
+
+int choice(const Material& material, const Parameter& parameter) noexcept
+{
+    return std::visit(
+        [&](auto member) {
+            if constexpr (isChoice<decltype(member)>) return static_cast<int>(material.*member);
+            else return -1;
+        },
+        parameter.member);
+}
+
+void setChoice(Material& material, const Parameter& parameter, int value) noexcept
+{
+    std::visit(
+        [&](auto member) {
+            if constexpr (isChoice<decltype(member)>) material.*member = static_cast<std::decay_t<decltype(material.*member)>>(value);
+        },
+        parameter.member);
 }
 
 }  // namespace nacre

@@ -41,14 +41,8 @@ std::vector<Fault> validate(const Material& material)
             checkRange(faults, parameter, (material.**rgb).b, ".b");
         } else if (const auto* whole = std::get_if<int Material::*>(&parameter.member)) {
             checkRange(faults, parameter, material.**whole);
-        } else if (const auto* lowerNormal = std::get_if<LowerNormal Material::*>(&parameter.member)) {
-            checkRange(faults, parameter, static_cast<int>(material.**lowerNormal));
-        } else if (const auto* quality = std::get_if<Quality Material::*>(&parameter.member)) {
-            checkRange(faults, parameter, static_cast<int>(material.**quality));
-        } else if (const auto* substrate = std::get_if<Substrate Material::*>(&parameter.member)) {
-            checkRange(faults, parameter, static_cast<int>(material.**substrate));
-        } else if (const auto* lobes = std::get_if<Lobes Material::*>(&parameter.member)) {
-            checkRange(faults, parameter, static_cast<int>(material.**lobes));
+        } else {
+            checkRange(faults, parameter, choice(material, parameter));
         }
     }
     if (material.thicknessLeastNm > material.thicknessMostNm) {

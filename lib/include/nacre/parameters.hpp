@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -26,6 +27,12 @@ struct Parameter {
 
 /// All members of Material in their order; their defaults are those of `Material{}`.
 const std::array<Parameter, 22>& parameters() noexcept;
+
+/// The names of the values of a member that is an enumeration, in their order; empty for the others.
+const std::vector<std::string_view>& choices(const Parameter& parameter);
+/// Such a member's value as an index of choices().
+int choice(const Material& material, const Parameter& parameter) noexcept;
+void setChoice(Material& material, const Parameter& parameter, int value) noexcept;
 
 /// The names of an enumeration's values in their order.
 const std::array<std::string_view, 4>& lowerNormalNames() noexcept;
