@@ -76,6 +76,12 @@ nacre_PhysicalTerms nacre_physicalTerms(nacre_Material m, nacre_PhysicalView w, 
     if (cosTheta > 0.0 && o.cosTheta > 0.0) {
         vec3 halfVector = l + o.direction;
         t.cosHalfSquared = min(0.25 * dot(halfVector, halfVector), 1.0);
+        // Below the outside's index the reflectance leaps to 1 at the critical angle. A half vector beyond it,
+        // light or viewer on this side, would reflect what has entered already (albedo 1.24 at index 0.5): the
+        // steepest of the three angles reflects the least of them.
+        float steepest = max(cosTheta, o.cosTheta);
+        bool isBelow = any(lessThan(m.oneMinusEtaSquared, vec3(0.0)));
+        t.cosHalfSquared = isBelow ? max(t.cosHalfSquared, steepest * steepest) : t.cosHalfSquared;
         vec3 cosSquared = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
         vec3 cosRefracted = sqrt(max(cosSquared, 0.0));
         float upper = nacre_upperLobeOneMinus(o.upperNormal, halfVector, cosTheta, o.cosTheta);

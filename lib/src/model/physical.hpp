@@ -58,6 +58,9 @@ inline PhysicalTerms physicalTerms(const Material& m, const PhysicalView& w, dve
     if (cosTheta > 0.0 && o.cosTheta > 0.0) {
         const dvec3 halfVector = l + o.direction;
         t.cosHalfSquared = std::fmin(0.25 * dot(halfVector, halfVector), 1.0);
+        const double steepest = std::fmax(cosTheta, o.cosTheta);
+        const bool isBelow = any(lessThan(m.oneMinusEtaSquared, dvec3(0.0)));
+        t.cosHalfSquared = isBelow ? std::fmax(t.cosHalfSquared, steepest * steepest) : t.cosHalfSquared;
         const dvec3 cosSquared = refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
         const dvec3 cosRefracted = sqrt(max(cosSquared, 0.0));
         const double upper = upperLobeOneMinus(o.upperNormal, halfVector, cosTheta, o.cosTheta);
