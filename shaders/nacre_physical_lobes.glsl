@@ -29,12 +29,14 @@ vec3 nacre_lobeFlattening(float exponent, vec3 cosLarger)
 }
 
 // Root of what the lower lobe's (e + 2) / 2π has to be multiplied by. Inside, solid angles are eta²
-// times those outside. A lobe that the tilt turns away from its own mirror direction is flattened by
-// less than its cosine: up to (e + 2) / (e + 1) too much, taken off as the tilt leaves the lobe's width.
+// times those outside. A lobe that the tilt turns away from its own mirror direction, towards the normal,
+// is flattened by less than it gains: by up to (e + 2) / (e + 1), which is taken off as the tilt grows
+// to half the lobe's width, 1 / √(e + 1). At e = 0 there is no direction to turn away from.
 vec3 nacre_lowerLobeScale(vec3 eta, float cosBetween, float exponent)
 {
-    float alike = exponent > 0.0 ? pow(clamp(cosBetween, 0.0, 1.0), exponent) : 1.0;
-    return eta * sqrt((exponent + 1.0 + alike) / (exponent + 2.0));
+    float sinBetween = sqrt(max(1.0 - cosBetween * cosBetween, 0.0));
+    float apart = min(2.0 * sinBetween * sqrt(exponent + 1.0), 1.0) * min(4.0 * exponent, 1.0);
+    return eta * sqrt((exponent + 2.0 - apart) / (exponent + 2.0));
 }
 
 #endif

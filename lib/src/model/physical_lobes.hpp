@@ -19,8 +19,9 @@ Cosine lobeFlattening(double exponent, Cosine cosLarger)
 
 inline dvec3 lowerLobeScale(dvec3 eta, double cosBetween, double exponent)
 {
-    const double alike = exponent > 0.0 ? std::pow(glm::clamp(cosBetween, 0.0, 1.0), exponent) : 1.0;
-    return eta * std::sqrt((exponent + 1.0 + alike) / (exponent + 2.0));
+    const double sinBetween = std::sqrt(std::fmax(1.0 - cosBetween * cosBetween, 0.0));
+    const double apart = std::fmin(2.0 * sinBetween * std::sqrt(exponent + 1.0), 1.0) * std::fmin(4.0 * exponent, 1.0);
+    return eta * std::sqrt((exponent + 2.0 - apart) / (exponent + 2.0));
 }
 
 }  // namespace nacre::model
