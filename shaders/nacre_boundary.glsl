@@ -2,15 +2,22 @@
 #define NACRE_BOUNDARY_GLSL
 
 // Fresnel's equations at the two boundaries, one channel, exact: (s, p) in a vec2. Born & Wolf, Sec 1.5.
-// Cosines: cosTheta outside, cosRefracted in the layer, both to the boundary's normal. The denominators
-// are held above 1e-18: they vanish at grazing incidence on a boundary that is not there.
+// Cosines: cosTheta outside, cosRefracted in the layer, both to the boundary's normal. Denominators
+// are held above 1e-18, their products above 1e-30: they vanish at grazing incidence on a boundary that is
+// not there.
+
+// One over each, for the price of one division; neither is negative.
+vec2 nacre_inverses(vec2 a)
+{
+    return a.yx / max(a.x * a.y, 1e-30);
+}
 
 // Amplitudes [a] that the boundary outside - layer reflects.
 // Differs: (η c - g)/(η c + g), expanded by its denominator, has the numerator -(1 - η²), which the
 // host knows to the last bit; that of p likewise. Nothing cancels near matched indices.
 vec2 nacre_upperAmplitudes(float eta, float oneMinusEtaSquared, float cosTheta, float cosRefracted)
 {
-    vec2 inverse = 1.0 / max(vec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted), 1e-18);
+    vec2 inverse = nacre_inverses(vec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted));
     float etaSquared = eta * eta;
     float p = cosTheta * cosTheta * (1.0 + etaSquared) - etaSquared;
     return oneMinusEtaSquared * vec2(-1.0, p) * (inverse * inverse);
@@ -22,7 +29,7 @@ vec2 nacre_upperAmplitudes(float eta, float oneMinusEtaSquared, float cosTheta, 
 vec2 nacre_crossing(float eta, float cosTheta, float cosRefracted)
 {
     float root = 2.0 * sqrt(eta * cosTheta * cosRefracted);
-    return root / max(vec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted), 1e-18);
+    return root * nacre_inverses(vec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted));
 }
 
 // Amplitudes [b] that the boundary layer - object reflects, the object a dielectric.
@@ -32,7 +39,7 @@ vec2 nacre_lowerAmplitudes(float substrate, float sineSquared, float cosRefracte
 {
     float w = sqrt(max(substrate - sineSquared, 0.0));  // r2/r1 times the cosine below
     vec2 g = vec2(1.0, substrate) * cosRefracted;
-    return (g - w) / max(g + w, 1e-18);
+    return (g - w) * nacre_inverses(g + w);
 }
 
 // The same for a metal, (r2 / r1)² complex: amplitudes of s in xy, of p in zw, complex. An absorbed wave

@@ -37,6 +37,11 @@
 #define NACRE_METAL 1
 #endif
 
+// 0: the lobes of quality `physical` are never normalised. (nacre_material_from_uniforms.glsl)
+#ifndef NACRE_NORMALISED
+#define NACRE_NORMALISED 1
+#endif
+
 // The fringe table's layout, nacre::FringeTable: texels along the path, and the path of the last, µm.
 #define NACRE_FRINGE_TEXELS 1024.0
 #define NACRE_FRINGE_RANGE_UM 10.0

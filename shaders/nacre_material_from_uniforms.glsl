@@ -53,6 +53,9 @@ nacre_Material nacre_materialFromUniforms()
 #if NACRE_METAL == 0
     m.substrate = NACRE_SUBSTRATE_DIELECTRIC;
 #endif
+#if NACRE_NORMALISED == 0
+    m.lobes = 0;
+#endif
 #if NACRE_DISPERSION == 0
     m = nacre_withOneIndex(m);
 #endif

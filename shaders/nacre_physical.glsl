@@ -45,6 +45,9 @@ vec3 nacre_physicalDiffuse(nacre_Material m, vec3 cosine)
 nacre_PhysicalView nacre_physicalViewWithoutDiffuse(nacre_Material m, nacre_Surface s, vec3 v)
 {
     nacre_PhysicalView w;
+#if NACRE_TILT == 0
+    s.lowerNormal = s.upperNormal;
+#endif
     w.layer = nacre_view(m, s, v);
     nacre_crossings(m.eta, w.layer.cosTheta, w.layer.cosRefracted, w.crossingS, w.crossingP);
     w.lowerScale = m.lobes == 1 ? m.lowerScale * nacre_lowerLobeScale(m.eta, w.layer.cosBetween, m.lowerExponent) : vec3(1.0);

@@ -4,9 +4,14 @@
 
 namespace nacre::model {
 
+inline dvec2 inverses(dvec2 a)
+{
+    return dvec2(a.y, a.x) / std::fmax(a.x * a.y, 1e-30);
+}
+
 inline dvec2 upperAmplitudes(double eta, double oneMinusEtaSquared, double cosTheta, double cosRefracted)
 {
-    const dvec2 inverse = 1.0 / max(dvec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted), 1e-18);
+    const dvec2 inverse = inverses(dvec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted));
     const double etaSquared = eta * eta;
     const double p = cosTheta * cosTheta * (1.0 + etaSquared) - etaSquared;
     return oneMinusEtaSquared * dvec2(-1.0, p) * (inverse * inverse);
@@ -15,14 +20,14 @@ inline dvec2 upperAmplitudes(double eta, double oneMinusEtaSquared, double cosTh
 inline dvec2 crossing(double eta, double cosTheta, double cosRefracted)
 {
     const double root = 2.0 * std::sqrt(eta * cosTheta * cosRefracted);
-    return root / max(dvec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted), 1e-18);
+    return root * inverses(dvec2(eta * cosTheta + cosRefracted, cosTheta + eta * cosRefracted));
 }
 
 inline dvec2 lowerAmplitudes(double substrate, double sineSquared, double cosRefracted)
 {
     const double w = std::sqrt(std::fmax(substrate - sineSquared, 0.0));
     const dvec2 g = dvec2(1.0, substrate) * cosRefracted;
-    return (g - w) / max(g + w, 1e-18);
+    return (g - w) * inverses(g + w);
 }
 
 struct ComplexPair {
