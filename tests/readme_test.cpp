@@ -18,8 +18,8 @@ std::string row(const Parameter& parameter)
     const std::string option(parameter.option);
     std::ostringstream line;
     line << "| `" << parameter.name << "` | " << parameter.symbol << " | " << parameter.unit << " | ";
-    if (std::holds_alternative<LowerNormal Material::*>(parameter.member)) {
-        for (std::size_t i = 0; i < lowerNormalNames().size(); ++i) line << (i ? ", " : "") << lowerNormalNames()[i];
+    if (const auto& names = choices(parameter); !names.empty()) {
+        for (std::size_t i = 0; i < names.size(); ++i) line << (i ? ", " : "") << names[i];
     } else {
         line << parameter.least << " to " << parameter.most;
     }
