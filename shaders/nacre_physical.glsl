@@ -50,7 +50,7 @@ nacre_PhysicalView nacre_physicalViewWithoutDiffuse(nacre_Material m, nacre_Surf
 #endif
     w.layer = nacre_view(m, s, v);
     nacre_crossings(m.eta, w.layer.cosTheta, w.layer.cosRefracted, w.crossingS, w.crossingP);
-    w.lowerScale = m.lobes == 1 ? m.lowerScale * nacre_lowerLobeScale(m.eta, w.layer.cosBetween, m.lowerExponent) : vec3(1.0);
+    w.lowerScale = m.lobes == 1 ? m.lowerScale * nacre_lowerLobeScale(m.eta, w.layer.upperAcross, m.lowerExponent) : vec3(1.0);
     w.pathAtNormal = m.index * s.thicknessUm;
     w.diffuse = vec3(0.0);
     return w;

@@ -32,10 +32,10 @@ vec3 nacre_lobeFlattening(float exponent, vec3 cosLarger)
 // times those outside. A lobe that the tilt turns away from its own mirror direction, towards the normal,
 // is flattened by less than it gains: by up to (e + 2) / (e + 1), which is taken off as the tilt grows
 // to half the lobe's width, 1 / √(e + 1). At e = 0 there is no direction to turn away from.
-vec3 nacre_lowerLobeScale(vec3 eta, float cosBetween, float exponent)
+// upperAcross: n0 in the plane across n1, as long as the sine of the tilt.
+vec3 nacre_lowerLobeScale(vec3 eta, vec2 upperAcross, float exponent)
 {
-    float sinBetween = sqrt(max(1.0 - cosBetween * cosBetween, 0.0));
-    float apart = min(2.0 * sinBetween * sqrt(exponent + 1.0), 1.0) * min(4.0 * exponent, 1.0);
+    float apart = min(2.0 * length(upperAcross) * sqrt(exponent + 1.0), 1.0) * min(4.0 * exponent, 1.0);
     return eta * sqrt((exponent + 2.0 - apart) / (exponent + 2.0));
 }
 

@@ -43,7 +43,7 @@ inline PhysicalView physicalView(const Material& m, const Surface& s, dvec3 v, c
     PhysicalView w;
     w.layer = view(m, s, v);
     crossings(m.eta, w.layer.cosTheta, w.layer.cosRefracted, w.crossingS, w.crossingP);
-    w.lowerScale = m.lobes == 1 ? m.lowerScale * lowerLobeScale(m.eta, w.layer.cosBetween, m.lowerExponent) : dvec3(1.0);
+    w.lowerScale = m.lobes == 1 ? m.lowerScale * lowerLobeScale(m.eta, w.layer.upperAcross, m.lowerExponent) : dvec3(1.0);
     w.pathAtNormal = m.index * s.thicknessUm;
     w.diffuse = dvec3(0.0);
     if (w.layer.cosTheta > 0.0) w.diffuse = physicalDiffuse(m, cosineFringe<1>(table, 2.0 * w.pathAtNormal).order[0]);

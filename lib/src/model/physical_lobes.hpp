@@ -17,10 +17,9 @@ Cosine lobeFlattening(double exponent, Cosine cosLarger)
     return 1.0 + std::fmin(exponent, 1.0) * (cosLarger - 1.0);
 }
 
-inline dvec3 lowerLobeScale(dvec3 eta, double cosBetween, double exponent)
+inline dvec3 lowerLobeScale(dvec3 eta, dvec2 upperAcross, double exponent)
 {
-    const double sinBetween = std::sqrt(std::fmax(1.0 - cosBetween * cosBetween, 0.0));
-    const double apart = std::fmin(2.0 * sinBetween * std::sqrt(exponent + 1.0), 1.0) * std::fmin(4.0 * exponent, 1.0);
+    const double apart = std::fmin(2.0 * length(upperAcross) * std::sqrt(exponent + 1.0), 1.0) * std::fmin(4.0 * exponent, 1.0);
     return eta * std::sqrt((exponent + 2.0 - apart) / (exponent + 2.0));
 }
 
