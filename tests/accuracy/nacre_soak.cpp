@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 
 #include "parallel.hpp"
@@ -40,6 +41,15 @@ Result<SoakTally> soak(const Shade& shade, std::uint64_t count, std::uint64_t se
     return total;
 }
 
+std::string csvTable(const std::vector<Input>& inputs)
+{
+    std::string text;
+    for (const std::string& column : inputColumns()) text += (text.empty() ? "" : ",") + column;
+    text += '\n';
+    for (const Input& input : inputs) text += csvLine(input) + '\n';
+    return text;
+}
+
 void print(const SoakTally& tally)
 {
     const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
@@ -48,9 +58,7 @@ void print(const SoakTally& tally)
     std::printf("worst error: %.3g of the bound\n", tally.worst);
     std::printf("channels compared with inputs moved by 4 ulp: %llu; of them at a jump of the model, counted apart: %llu\n",
                 number(tally.moved), number(tally.atJump));
-    std::string header;
-    for (const std::string& column : inputColumns()) header += (header.empty() ? "" : ",") + column;
-    std::printf("worst case, for nacre-eval:\n%s\n%s\n", header.c_str(), csvLine(tally.worstInput).c_str());
+    std::printf("worst case, for nacre-eval:\n%s", csvTable({tally.worstInput}).c_str());
 }
 
 int fail(const Error& error)
@@ -71,6 +79,8 @@ int main(int argc, char** argv)
     std::uint64_t seed = 1;
     app.add_option("--count", count, "Evaluations")->check(CLI::Range(1.0, 1e15))->capture_default_str();
     app.add_option("--seed", seed, "Same seed and count, same inputs")->capture_default_str();
+    std::string failures;
+    app.add_option("--failures", failures, "Write the cases that fail to this file, for nacre-eval; a thousand at most");
     CLI11_PARSE(app, argc, argv);
 
     Result<demo::Context> context = demo::Context::create();
@@ -85,5 +95,6 @@ int main(int argc, char** argv)
     std::printf("%s, %s: %.0f evaluations, seed %llu, %.1f s\n", context->kind().c_str(), context->renderer().c_str(), std::floor(count),
                 static_cast<unsigned long long>(seed), elapsed.count());
     print(*tally);
+    if (!failures.empty() && !(std::ofstream(failures) << csvTable(tally->failures))) return fail({failures + ": cannot be written"});
     return tally->passes() ? 0 : 1;
 }

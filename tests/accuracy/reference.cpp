@@ -18,7 +18,8 @@ double ulp(float value)
     return static_cast<double>(std::nextafter(magnitude, std::numeric_limits<float>::infinity())) - static_cast<double>(magnitude);
 }
 
-// An input whose numbers are not float32: light and view are normalised where they are used.
+// An input whose numbers are not float32. Light and view stay as long as they are: that a float32 direction is
+// a unit vector but for its rounding is part of what is uncertain.
 struct Moved {
     nacre::Material material;
     glm::dvec3 light, view;
@@ -30,8 +31,8 @@ Moved moved(const Numbers& n)
     const auto vector = [&](std::size_t first) { return glm::dvec3(n[first], n[first + 1], n[first + 2]); };
     const auto notNegative = [&](std::size_t i) { return std::fmax(n[i], 0.0); };
     Moved m;
-    m.light = glm::normalize(vector(0));
-    m.view = glm::normalize(vector(3));
+    m.light = vector(0);
+    m.view = vector(3);
     m.surface = {vector(6), vector(9), notNegative(15)};
     m.material.ior = vector(12);
     m.material.upperExponent = notNegative(16);

@@ -23,7 +23,8 @@ struct Neighbourhood {
 };
 
 /// Moves every number of `input` by up to `ulps` of its own, one by one, all together in the directions that
-/// change ρ most or that lead to a jump, and at random. It ends early once the range reaches `accepted`, from either side.
+/// change ρ most or that lead to a jump, and at random. Light and view are not normalised again. It ends early
+/// once the range comes within `tolerance` of `accepted`.
 Neighbourhood neighbourhood(const Input& input, int channel, int ulps, double accepted, double tolerance);
 
 /// The largest change of ρ and of the diffuse coefficient when every number of the input moves by half an

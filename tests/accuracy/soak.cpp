@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t pointsPerMaterial = 256;
 constexpr double relativeBound = 3e-4;
 constexpr int ulps = 4;
+constexpr std::size_t mostFailures = 1000;
 
 double bound(const Input& input, double rho)
 {
@@ -21,6 +22,7 @@ double bound(const Input& input, double rho)
 
 void count(SoakTally& tally, const Input& input, double errorInBounds)
 {
+    if (errorInBounds > 1.0 && tally.failures.size() < mostFailures) tally.failures.push_back(input);
     if (errorInBounds <= tally.worst) return;
     tally.worst = errorInBounds;
     tally.worstInput = input;
@@ -117,6 +119,8 @@ SoakTally& SoakTally::operator+=(const SoakTally& other)
         worst = other.worst;
         worstInput = other.worstInput;
     }
+    const std::size_t room = mostFailures - failures.size();
+    failures.insert(failures.end(), other.failures.begin(), other.failures.begin() + static_cast<std::ptrdiff_t>(std::min(room, other.failures.size())));
     return *this;
 }
 

@@ -30,6 +30,7 @@ struct SoakTally {
     std::uint64_t moved = 0;       ///< Over the bound at first, so that the inputs were moved.
     double worst = 0.0;            ///< Largest error that counts, in units of the bound.
     Input worstInput{};
+    std::vector<Input> failures;  ///< Those that do not pass, a thousand at most.
 
     bool passes() const { return nan + infinite + negative + overBound + undirected == 0; }
     SoakTally& operator+=(const SoakTally& other);
