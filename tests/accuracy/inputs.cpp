@@ -39,13 +39,12 @@ GpuPoint point(const Input& input, std::size_t material)
 
 std::string csvLine(const Input& input)
 {
-    constexpr std::size_t thickness = 15;
     const Components numbers = components(input);
     std::string line;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         char cell[40];
         const double number = numbers[i];
-        if (i == thickness) std::snprintf(cell, sizeof cell, "%.17g", number * 1000.0);
+        if (i == thicknessComponent) std::snprintf(cell, sizeof cell, "%.17g", number * 1000.0);
         else std::snprintf(cell, sizeof cell, "%.9g", number);
         line += i == 0 ? "" : ",";
         line += cell;

@@ -22,6 +22,7 @@ struct Input {
 /// The same, one number after the other.
 using Components = std::array<float, 22>;
 static_assert(sizeof(Input) == sizeof(Components));
+constexpr std::size_t thicknessComponent = 15;
 
 Components components(const Input& input);
 Input input(const Components& components);

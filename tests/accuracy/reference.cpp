@@ -11,9 +11,11 @@ namespace {
 constexpr std::size_t count = std::tuple_size_v<Components>;
 using Numbers = std::array<double, count>;
 
-// The distance from a number to the next one away from 0.
+// The distance from a number to the next one away from 0. A 0 is meant: the model jumps between an exponent of
+// 0 and the smallest one above.
 double ulp(float value)
 {
+    if (value == 0.0F) return 0.0;
     const float magnitude = std::fabs(value);
     return static_cast<double>(std::nextafter(magnitude, std::numeric_limits<float>::infinity())) - static_cast<double>(magnitude);
 }
@@ -33,7 +35,7 @@ Moved moved(const Numbers& n)
     Moved m;
     m.light = vector(0);
     m.view = vector(3);
-    m.surface = {vector(6), vector(9), notNegative(15)};
+    m.surface = {vector(6), vector(9), notNegative(thicknessComponent)};
     m.material.ior = vector(12);
     m.material.upperExponent = notNegative(16);
     m.material.lowerExponent = notNegative(17);
