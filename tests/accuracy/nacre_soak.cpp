@@ -17,6 +17,8 @@ namespace {
 using namespace nacre;
 using namespace nacre::test;
 
+constexpr std::uint64_t longSoak = 10000000;  // one that tells how far it is, a tenth at a time
+
 // One batch per core at a time: made in parallel, drawn one after the other (the driver has threads of its
 // own), judged in parallel.
 Result<SoakTally> soak(const Shade& shade, std::uint64_t count, std::uint64_t seed)
@@ -36,7 +38,11 @@ Result<SoakTally> soak(const Shade& shade, std::uint64_t count, std::uint64_t se
         std::vector<SoakTally> tallies(sizes.size());
         inParallel(sizes.size(), [&](std::size_t i) { tallies[i] = judge(batches[i]); });
         for (const SoakTally& tally : tallies) total += tally;
+        const std::uint64_t before = done;
         for (std::size_t size : sizes) done += size;
+        if (count >= longSoak && before * 10 / count != done * 10 / count) {
+            std::fprintf(stderr, "%llu %%\n", static_cast<unsigned long long>(done * 10 / count * 10));
+        }
     }
     return total;
 }

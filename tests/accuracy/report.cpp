@@ -74,11 +74,10 @@ set title 'Error of ρ in float32 against double precision: from the median to t
 set ylabel '|GLSL - double| / max(1, ρ)'
 set logscale y
 set format y '10^{%T}'
-set yrange [1e-8:1e-1]
+set yrange [1e-9:1e-1]
 set grid y
 set key outside bottom center horizontal
 set xtics rotate by -20
-set xrange [-0.6:*]
 set bars 0.5
 )";
 
@@ -152,6 +151,7 @@ Outcome plot(const std::vector<Measurement>& measurements, const std::string& fi
     for (std::size_t region = 0; region < regionNames.size(); ++region) {
         tics.push_back('\'' + regionNames[region] + "' " + std::to_string(region));
     }
+    commands += "set xrange [-0.6:" + text("%g", static_cast<double>(regionNames.size()) - 0.4) + "]\n";
     commands += "set xtics (" + joined(tics, ", ") + ")\nset output '" + file + "'\n";
     for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
         const double shift = 0.15 * (static_cast<double>(driver) - 0.5 * static_cast<double>(drivers.size() - 1));
