@@ -1,7 +1,5 @@
 // The accuracy of the GLSL over the model's domain, on every driver at hand: see --help.
 
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "command_line.hpp"
 #include "process.hpp"
 #include "report.hpp"
 
@@ -117,7 +116,8 @@ int main(int argc, char** argv)
         "Median, 99.9th percentile and worst error of the GLSL against the double-precision model, for each region of the domain "
         "and each driver at hand: llvmpipe and softpipe by OSMesa, and what EGL gives. 'inputs alone' is the floor: how far the "
         "double-precision result moves when every float32 input moves by half an ulp. Cases on both sides of a jump of the model "
-        "are counted apart."};
+        "are counted apart.",
+        "nacre-accuracy"};
     Options options;
     app.add_option("--cases", options.cases, "Random cases per region")->check(CLI::Range(1, 100000000))->capture_default_str();
     app.add_option("--slow-cases", options.slowCases, "The same for softpipe and for the floor")
@@ -127,7 +127,7 @@ int main(int argc, char** argv)
     app.add_option("--csv", options.csv, "Write all percentiles and worst cases to this file; nacre-eval reads it");
     app.add_option("--plot", options.plot, "Draw the errors against the regions to this PNG, by gnuplot");
     app.add_option("--driver", options.driver, "")->group("");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
     const Outcome outcome = options.driver.empty() ? measureAll(options) : measureHere(options);
     if (outcome) return 0;

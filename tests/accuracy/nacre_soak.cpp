@@ -1,12 +1,11 @@
 // Random and adversarial inputs through the GLSL, held against the double-precision model: see --help.
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 
+#include "command_line.hpp"
 #include "parallel.hpp"
 #include "shade.hpp"
 #include "soak.hpp"
@@ -80,14 +79,15 @@ int main(int argc, char** argv)
     CLI::App app{
         "Runs random inputs and bit patterns near every branch of the model through the GLSL. Fails where a result is NaN, "
         "infinite, negative or farther than 3e-4 max(1, rho, d / 10 um) from what the double-precision model gives for inputs "
-        "within 4 ulp. NACRE_CONTEXT=osmesa|egl and GALLIUM_DRIVER choose the driver."};
+        "within 4 ulp. NACRE_CONTEXT=osmesa|egl and GALLIUM_DRIVER choose the driver.",
+        "nacre-soak"};
     double count = 1e6;
     std::uint64_t seed = 1;
     app.add_option("--count", count, "Evaluations")->check(CLI::Range(1.0, 1e15))->capture_default_str();
     app.add_option("--seed", seed, "Same seed and count, same inputs")->capture_default_str();
     std::string failures;
     app.add_option("--failures", failures, "Write the cases that fail to this file, for nacre-eval; a thousand at most");
-    CLI11_PARSE(app, argc, argv);
+    if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
     Result<demo::Context> context = demo::Context::create();
     if (!context) return fail(context.error());
