@@ -60,6 +60,9 @@ void print(const SoakTally& tally)
     const auto number = [](std::uint64_t value) { return static_cast<unsigned long long>(value); };
     std::printf("NaN %llu, infinite %llu, negative %llu, not 0 without a normal %llu, over the bound %llu\n", number(tally.nan),
                 number(tally.infinite), number(tally.negative), number(tally.undirected), number(tally.overBound));
+    const auto percent = [&](std::uint64_t part) { return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(tally.channels, 1)); };
+    std::printf("within 1e-6 of the model: %.2f %% of the channels, 1e-5: %.2f %%, 1e-4: %.2f %%\n", percent(tally.within[0]),
+                percent(tally.within[1]), percent(tally.within[2]));
     std::printf("worst error: %.3g of the bound\n", tally.worst);
     std::printf("channels compared with inputs moved by 4 ulp: %llu; of them at a jump of the model, counted apart: %llu\n",
                 number(tally.moved), number(tally.atJump));

@@ -43,6 +43,12 @@ void judgeRho(SoakTally& tally, const Input& input, int channel, double got, dou
 {
     const double allowed = bound(input, expected);
     double error = std::fabs(got - expected);
+    ++tally.channels;
+    double limit = 1e-6;
+    for (std::uint64_t& within : tally.within) {
+        within += error <= allowed / relativeBound * limit ? 1U : 0U;
+        limit *= 10.0;
+    }
     if (error > allowed) {
         ++tally.moved;
         const Neighbourhood near = neighbourhood(input, channel, ulps, got, allowed);
@@ -115,6 +121,8 @@ SoakTally& SoakTally::operator+=(const SoakTally& other)
     undirected += other.undirected;
     atJump += other.atJump;
     moved += other.moved;
+    channels += other.channels;
+    for (std::size_t i = 0; i < within.size(); ++i) within[i] += other.within[i];
     if (other.worst > worst) {
         worst = other.worst;
         worstInput = other.worstInput;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +29,11 @@ struct SoakTally {
     std::uint64_t undirected = 0;  ///< Not 0 where a normal has no direction.
     std::uint64_t atJump = 0;      ///< Over the bound, with inputs on both sides of a jump of the model.
     std::uint64_t moved = 0;       ///< Over the bound at first, so that the inputs were moved.
-    double worst = 0.0;            ///< Largest error that counts, in units of the bound.
+    double worst = 0.0;            ///< Largest error that counts, in units of the bound; near 1 once inputs had to be moved.
+    /// How many channels of ρ come within 1e-6, 1e-5 and 1e-4 of the double-precision model as they are, per
+    /// max(1, ρ, d / 10 µm), and how many there are.
+    std::array<std::uint64_t, 3> within{};
+    std::uint64_t channels = 0;
     Input worstInput{};
     std::vector<Input> failures;  ///< Those that do not pass, a thousand at most.
 
