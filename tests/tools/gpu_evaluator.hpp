@@ -2,12 +2,7 @@
 
 #include <vector>
 
-#include <glm/vec3.hpp>
-
-#include <nacre/block.hpp>
-#include <nacre/result.hpp>
-
-#include "gl/context.hpp"
+#include "point_program.hpp"
 
 namespace nacre::test {
 
@@ -33,10 +28,8 @@ public:
     Result<std::vector<GpuOutput>> run(const std::vector<GpuInput>& inputs) const;
 
 private:
-    explicit GpuEvaluator(const demo::Context& context) : gl_(&context.gl()) {}
-    const demo::GlFunctions* gl_;
-    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, input_ = 0;
-    std::vector<GLuint> outputs_;
+    explicit GpuEvaluator(PointProgram program) : program_(std::move(program)) {}
+    PointProgram program_;
 };
 
 }  // namespace nacre::test

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <nacre/block.hpp>
+#include <nacre/result.hpp>
+
+#include "gl/context.hpp"
+
+namespace nacre::test {
+
+/// What one evaluation gets beside its material, as it lies in the texture: four texels.
+struct GpuPoint {
+    glm::vec3 light;
+    float thicknessUm;
+    glm::vec3 view;
+    float material;  ///< Its index among the materials; exact, there are fewer than 2^24.
+    glm::vec3 upperNormal;
+    float unused0;
+    glm::vec3 lowerNormal;
+    float unused1;
+};
+static_assert(sizeof(GpuPoint) == 64, "four texels of four floats");
+
+/// A fragment program that runs once per point with float32 targets. Its source is the library's GLSL,
+/// unmodified, then functions that fetch the pixel's inputs, then `main`:
+///
+///     nacre_Material pointMaterial();  // but for thickness, noise and lower normal, which the point states
+///     nacre_Surface pointSurface();
+///     vec3 pointLight();
+///     vec3 pointView();
+class PointProgram {
+public:
+    /// Most points, and most materials, of one draw().
+    static constexpr std::size_t most = 65536;
+
+    /// targets: how many vec4 `main` writes, from location 0 on.
+    static Result<PointProgram> create(const demo::Context& context, const std::string& main, int targets);
+
+    void setMaterials(const Block* blocks, std::size_t count) const;
+    void draw(const GpuPoint* points, std::size_t count) const;
+    /// The first `count` pixels of the last draw.
+    void read(int target, glm::vec4* pixels, std::size_t count) const;
+    /// Whether the driver reported an error since the last call.
+    Outcome check() const;
+
+private:
+    explicit PointProgram(const demo::Context& context) : gl_(&context.gl()) {}
+    const demo::GlFunctions* gl_;
+    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, materials_ = 0, points_ = 0;
+    std::vector<GLuint> outputs_;
+};
+
+}  // namespace nacre::test
