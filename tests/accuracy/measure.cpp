@@ -111,9 +111,10 @@ bool isAtAnyJump(const Input& input)
 
 const char* const inputsAlone = "inputs alone";
 
-Result<std::vector<Measurement>> measureDriver(const demo::Context& context, const std::string& driver, std::size_t cases, std::uint64_t seed)
+Result<std::vector<Measurement>> measureDriver(const demo::Context& context, const std::string& driver, std::size_t cases,
+                                               std::uint64_t seed, const std::string& naiveForm)
 {
-    Result<Shade> shade = Shade::create(context);
+    Result<Shade> shade = Shade::create(context, naiveForm);
     if (!shade) return shade.error();
     std::vector<Measurement> measurements;
     for (const Region& region : regions()) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "command_line.hpp"
+#include "naive_forms.hpp"
 #include "process.hpp"
 #include "report.hpp"
 
@@ -34,6 +35,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string markdown, csv, plot;
     std::string driver;  // set in the processes of the drivers
+    bool forms = false;
 };
 
 Result<std::string> readFile(const std::filesystem::path& path)
@@ -82,6 +84,28 @@ Result<std::vector<Measurement>> measureElsewhere(const Options& options, const 
     return readMeasurements(*content);
 }
 
+// On the context at hand: what each stable form of the GLSL buys, and where.
+Outcome measureForms(const Options& options)
+{
+    Result<demo::Context> context = demo::Context::create();
+    if (!context) return context.error();
+    std::vector<Measurement> all;
+    const auto measure = [&](const std::string& name, const std::string& form) -> Outcome {
+        Result<std::vector<Measurement>> measured = measureDriver(*context, name, options.cases, options.seed, form);
+        if (!measured) return measured.error();
+        all.insert(all.end(), measured->begin(), measured->end());
+        return std::monostate{};
+    };
+    Outcome outcome = measure("as it is", "");
+    for (const NaiveForm& form : naiveForms()) {
+        if (outcome) outcome = measure(form.name + ": " + form.instead, form.name);
+    }
+    if (!outcome) return outcome;
+    const std::string report = formsMarkdown(all);
+    std::cout << report << std::flush;
+    return options.markdown.empty() ? Outcome(std::monostate{}) : writeFile(options.markdown, report);
+}
+
 Outcome measureAll(const Options& options)
 {
     std::vector<Measurement> all;
@@ -126,10 +150,11 @@ int main(int argc, char** argv)
     app.add_option("--markdown", options.markdown, "Write the report to this file too");
     app.add_option("--csv", options.csv, "Write all percentiles and worst cases to this file; nacre-eval reads it");
     app.add_option("--plot", options.plot, "Draw the errors against the regions to this PNG, by gnuplot");
+    app.add_flag("--forms", options.forms, "Instead: each stable form of the GLSL made naive by itself, the 99.9th percentile per region");
     app.add_option("--driver", options.driver, "")->group("");
     if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
-    const Outcome outcome = options.driver.empty() ? measureAll(options) : measureHere(options);
+    const Outcome outcome = options.forms ? measureForms(options) : options.driver.empty() ? measureAll(options) : measureHere(options);
     if (outcome) return 0;
     std::cerr << "nacre-accuracy: " << outcome.error().message << '\n';
     return 1;

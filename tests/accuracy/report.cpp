@@ -100,6 +100,25 @@ std::string markdown(const std::vector<Measurement>& measurements)
     return lines + "```\n";
 }
 
+std::string formsMarkdown(const std::vector<Measurement>& measurements)
+{
+    std::string head = "| form |", rule = "| --- |";
+    const std::vector<std::string> regions = names(measurements, &Measurement::region);
+    for (const std::string& region : regions) {
+        head += ' ' + region + " |";
+        rule += " ---: |";
+    }
+    std::string lines = head + '\n' + rule + '\n';
+    for (const std::string& form : names(measurements, &Measurement::driver)) {
+        lines += "| " + form + " |";
+        for (const Measurement& one : measurements) {
+            if (one.driver == form && one.quantity == "rho") lines += ' ' + text("%.1e", one.spread.p999) + " |";
+        }
+        lines += '\n';
+    }
+    return lines;
+}
+
 std::string csv(const std::vector<Measurement>& measurements)
 {
     std::string lines = joined(allColumns(), ",") + '\n';

@@ -17,9 +17,9 @@ void main()
 
 }  // namespace
 
-Result<Shade> Shade::create(const demo::Context& context)
+Result<Shade> Shade::create(const demo::Context& context, const std::string& naiveForm)
 {
-    Result<PointProgram> program = PointProgram::create(context, rhoAndDiffuse, 2);
+    Result<PointProgram> program = PointProgram::create(context, rhoAndDiffuse, 2, naiveForm);
     if (!program) return program.error();
     return Shade(std::move(*program));
 }

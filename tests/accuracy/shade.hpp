@@ -9,7 +9,8 @@ namespace nacre::test {
 /// ρ and the diffuse coefficient by the library's GLSL.
 class Shade {
 public:
-    static Result<Shade> create(const demo::Context& context);
+    /// naiveForm: see naive_forms.hpp; empty: none.
+    static Result<Shade> create(const demo::Context& context, const std::string& naiveForm = "");
 
     /// At most PointProgram::most points and materials. The vectors are resized to the points; w is 1.
     Outcome run(const std::vector<Block>& materials, const std::vector<GpuPoint>& points, std::vector<glm::vec4>& rho,

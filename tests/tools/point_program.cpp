@@ -3,6 +3,7 @@
 #include <nacre/glsl.hpp>
 
 #include "gl/program.hpp"
+#include "naive_forms.hpp"
 
 namespace nacre::test {
 namespace {
@@ -106,12 +107,13 @@ void upload(const demo::GlFunctions& gl, GLenum unit, GLuint texture, const Item
 
 }  // namespace
 
-Result<PointProgram> PointProgram::create(const demo::Context& context, const std::string& main, int targets)
+Result<PointProgram> PointProgram::create(const demo::Context& context, const std::string& main, int targets, const std::string& naiveForm)
 {
     PointProgram points(context);
     const demo::GlFunctions& gl = context.gl();
 
     Result<std::string> library = glsl({330, false, GlslUniforms::none});
+    if (library && !naiveForm.empty()) library = withNaiveForm(*library, naiveForm);
     if (!library) return library.error();
     const std::string sizes = define("SIDE", side) + define("BLOCK_TEXELS", blockTexels) + define("POINT_TEXELS", pointTexels);
     Result<GLuint> program = demo::linkProgram(gl, vertexShader, *library + sizes + inputFunctions + main);

@@ -27,7 +27,7 @@ struct GpuPoint {
 static_assert(sizeof(GpuPoint) == 64, "four texels of four floats");
 
 /// A fragment program that runs once per point with float32 targets. Its source is the library's GLSL,
-/// unmodified, then functions that fetch the pixel's inputs, then `main`:
+/// unmodified (but for a naive form that is asked for), then functions that fetch the pixel's inputs, then `main`:
 ///
 ///     nacre_Material pointMaterial();  // but for thickness, noise and lower normal, which the point states
 ///     nacre_Surface pointSurface();
@@ -38,8 +38,9 @@ public:
     /// Most points, and most materials, of one draw().
     static constexpr std::size_t most = 65536;
 
-    /// targets: how many vec4 `main` writes, from location 0 on.
-    static Result<PointProgram> create(const demo::Context& context, const std::string& main, int targets);
+    /// targets: how many vec4 `main` writes, from location 0 on. naiveForm: see naive_forms.hpp; empty: none.
+    static Result<PointProgram> create(const demo::Context& context, const std::string& main, int targets,
+                                       const std::string& naiveForm = "");
 
     void setMaterials(const Block* blocks, std::size_t count) const;
     void draw(const GpuPoint* points, std::size_t count) const;
