@@ -2,12 +2,7 @@
 
 #include <vector>
 
-#include <glm/vec3.hpp>
-
-#include <nacre/block.hpp>
-#include <nacre/result.hpp>
-
-#include "gl/context.hpp"
+#include "point_program.hpp"
 
 namespace nacre::test {
 
@@ -27,7 +22,8 @@ struct GpuOutput {
     glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded, lobes;
 };
 
-/// Runs the library's GLSL, unmodified, of the quality that each block asks for, once per input in a fragment shader with float32 targets.
+/// Runs the library's GLSL, unmodified, of the quality that each block asks for, once per input in a fragment
+/// shader with float32 targets.
 class GpuEvaluator {
 public:
     static Result<GpuEvaluator> create(const demo::Context& context, FringeForm form = FringeForm::table);
@@ -36,10 +32,9 @@ public:
     Result<std::vector<GpuOutput>> run(const std::vector<GpuInput>& inputs) const;
 
 private:
-    explicit GpuEvaluator(const demo::Context& context) : gl_(&context.gl()) {}
-    const demo::GlFunctions* gl_;
-    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, input_ = 0, fringeTable_ = 0;
-    std::vector<GLuint> outputs_;
+    explicit GpuEvaluator(PointProgram program) : program_(std::move(program)) {}
+    PointProgram program_;
+    GLuint fringeTable_ = 0;  // 0: the sampler-free form
 };
 
 }  // namespace nacre::test
