@@ -9,6 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <nacre/block.hpp>
+#include <nacre/fringe_table.hpp>
 #include <nacre/glsl.hpp>
 
 #include "camera.hpp"
@@ -30,6 +31,29 @@ constexpr std::array<Light, 4> lights{{{{-0.45F, 0.65F, 0.75F}, 0.55F},
                                        {{0.85F, 0.1F, 0.6F}, 0.25F},
                                        {{0.25F, 0.8F, -0.5F}, 0.2F},
                                        {{-0.4F, -0.8F, 0.45F}, 0.1F}}};
+
+Result<GLuint> linkFor(const GlFunctions& gl, Quality quality)
+{
+    Result<std::string> library = glsl();
+    if (!library) return library.error();
+    const std::string define = "#define QUALITY_PHYSICAL " + std::to_string(quality == Quality::physical ? 1 : 0) + '\n';
+    Result<GLuint> program = linkProgram(gl, meshVertexShader, *library + define + meshFragmentShader);
+    if (program) gl.UniformBlockBinding(*program, gl.GetUniformBlockIndex(*program, "nacre_Block"), 0);
+    return program;
+}
+
+GLuint makeFringeTable(const GlFunctions& gl, const FringeTable& table)
+{
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, FringeTable::width, FringeTable::height, 0, GL_RGBA, GL_FLOAT, table.texels().data());
+    return texture;
+}
 
 // A framebuffer of one float colour and one depth buffer, freed with it.
 class Target {
@@ -66,15 +90,16 @@ private:
 Result<Renderer> Renderer::create(const Context& context, Scene scene)
 {
     const GlFunctions& gl = context.gl();
-    Result<std::string> library = glsl();
-    if (!library) return library.error();
-    Result<GLuint> program = linkProgram(gl, meshVertexShader, *library + meshFragmentShader);
-    if (!program) return program.error();
-
     Renderer renderer(gl);
-    renderer.program_ = *program;
+    for (const Quality quality : {Quality::paper, Quality::physical}) {
+        Result<GLuint> program = linkFor(gl, quality);
+        if (!program) return program.error();
+        renderer.programs_[static_cast<std::size_t>(quality)] = *program;
+    }
+    Result<FringeTable> table = FringeTable::create();
+    if (!table) return table.error();
+    renderer.fringeTable_ = makeFringeTable(gl, *table);
     gl.GenBuffers(1, &renderer.material_);
-    gl.UniformBlockBinding(*program, gl.GetUniformBlockIndex(*program, "nacre_Block"), 0);
 
     for (const nacre::demo::Mesh& source : scene.meshes) {
         Mesh mesh;
@@ -104,7 +129,8 @@ Result<Renderer> Renderer::create(const Context& context, Scene scene)
 }
 
 Renderer::Renderer(Renderer&& other) noexcept
-    : gl_(other.gl_), program_(std::exchange(other.program_, 0U)), material_(std::exchange(other.material_, 0U)),
+    : gl_(other.gl_), programs_(std::exchange(other.programs_, {})), material_(std::exchange(other.material_, 0U)),
+      fringeTable_(std::exchange(other.fringeTable_, 0U)),
       meshes_(std::move(other.meshes_)), scene_(std::move(other.scene_))
 {
     other.meshes_.clear();
@@ -118,7 +144,10 @@ Renderer::~Renderer()
         gl_->DeleteBuffers(1, &mesh.indices);
     }
     if (material_) gl_->DeleteBuffers(1, &material_);
-    if (program_) gl_->DeleteProgram(program_);
+    if (fringeTable_) gl_->DeleteTextures(1, &fringeTable_);
+    for (const GLuint program : programs_) {
+        if (program) gl_->DeleteProgram(program);
+    }
 }
 
 int Renderer::largestSize() const
@@ -161,7 +190,8 @@ Result<Image> Renderer::render(const Material& material, int width, int height) 
     gl.ClearColor(background.r, background.g, background.b, 1.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.Enable(GL_DEPTH_TEST);
-    draw(frameScene(scene_, static_cast<float>(width) / static_cast<float>(height)));
+    gl.BindTexture(GL_TEXTURE_2D, fringeTable_);
+    draw(programs_[static_cast<std::size_t>(material.quality)], frameScene(scene_, static_cast<float>(width) / static_cast<float>(height)));
 
     const std::size_t row = static_cast<std::size_t>(fine.width) * 3;
     fine.pixels.resize(row * static_cast<std::size_t>(fine.height));
@@ -177,14 +207,14 @@ Result<Image> Renderer::render(const Material& material, int width, int height) 
     return shrink(fine, samples);
 }
 
-void Renderer::draw(const Camera& camera) const
+void Renderer::draw(GLuint program, const Camera& camera) const
 {
     const GlFunctions& gl = *gl_;
-    const auto at = [&](const char* name) { return gl.GetUniformLocation(program_, name); };
+    const auto at = [&](const char* name) { return gl.GetUniformLocation(program, name); };
     const glm::vec3 centre = 0.5F * (scene_.bounds.least + scene_.bounds.most);
     const float radius = 0.5F * glm::length(scene_.bounds.most - scene_.bounds.least);
 
-    gl.UseProgram(program_);
+    gl.UseProgram(program);
     gl.UniformMatrix4fv(at("worldToClip"), 1, GL_FALSE, glm::value_ptr(camera.worldToClip));
     gl.Uniform3fv(at("sceneCentre"), 1, glm::value_ptr(centre));
     gl.Uniform1f(at("sceneRadius"), radius > 0.0F ? radius : 1.0F);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <nacre/material.hpp>
@@ -32,10 +33,11 @@ private:
         GLsizei count = 0;
     };
     explicit Renderer(const GlFunctions& gl) : gl_(&gl) {}
-    void draw(const struct Camera& camera) const;
+    void draw(GLuint program, const struct Camera& camera) const;
 
     const GlFunctions* gl_;
-    GLuint program_ = 0, material_ = 0;
+    std::array<GLuint, 2> programs_{};  // by Quality
+    GLuint material_ = 0, fringeTable_ = 0;
     std::vector<Mesh> meshes_;
     Scene scene_;
 };

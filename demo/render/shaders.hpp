@@ -36,6 +36,9 @@ const int LIGHTS = 4;
 uniform vec3 lightDirection[LIGHTS];  // to the light, unit
 uniform float lightRadiance[LIGHTS];
 uniform vec3 eye;
+#if QUALITY_PHYSICAL
+uniform sampler2D fringeTable;
+#endif
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
@@ -47,11 +50,19 @@ void main()
     nacre_Material m = nacre_materialFromUniforms();
     vec3 normal = gl_FrontFacing ? worldNormal : -worldNormal;  // both sides of a sheet are seen
     nacre_Surface s = nacre_surface(m, normal, worldTangent, noisePosition, mat3(1.0));
-    nacre_View w = nacre_view(m, s, normalize(eye - worldPosition));
+    vec3 v = normalize(eye - worldPosition);
     colour = vec4(0.0, 0.0, 0.0, 1.0);
+#if QUALITY_PHYSICAL
+    nacre_PhysicalView w = nacre_physicalView(m, s, v, fringeTable);
+    for (int i = 0; i < LIGHTS; ++i) {
+        colour.rgb += lightRadiance[i] * nacre_physicalLight(m, w, lightDirection[i], fringeTable);
+    }
+#else
+    nacre_View w = nacre_view(m, s, v);
     for (int i = 0; i < LIGHTS; ++i) {
         colour.rgb += lightRadiance[i] * nacre_light(m, w, lightDirection[i]);
     }
+#endif
 }
 )";
 
