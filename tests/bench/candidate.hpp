@@ -36,6 +36,7 @@ struct Candidate {
     std::string name;
     std::string glsl;
     bool usesLibrary = true;  ///< nacre's functions and nacre_Block stand before the text.
+    std::string switches;     ///< `#define` lines before the library: what nacre_config.glsl leaves to the host.
     std::string naiveForm;    ///< Of the library's forms, the one that is made naive; see naive_forms.hpp.
 
     std::string blockName;  ///< Of the std140 block; empty: none.

@@ -9,6 +9,7 @@
 #include "candidates.hpp"
 
 #include <nacre/block.hpp>
+#include <nacre/fringe_table.hpp>
 #include <nacre/presets.hpp>
 
 #include "materialx.hpp"
@@ -62,6 +63,36 @@ Result<Candidate> flat(const fs::path&)
     return candidate;
 }
 
+// Quality physical over a dielectric. filmOnly: its simplest variant, parallel boundaries, one index, no diffuse part.
+Result<Candidate> physicalFilm(bool filmOnly, bool withTable)
+{
+    Material material = filmOnly ? oneIndex() : dispersive();
+    material.quality = Quality::physical;
+    Result<Candidate> candidate = library("physical.glsl", material);
+    if (!candidate) return candidate;
+    const auto define = [](const char* name, bool value) { return std::string("#define ") + name + (value ? " 1\n" : " 0\n"); };
+    candidate->glsl = define("BENCH_FILM_ONLY", filmOnly) + define("BENCH_TABLE", withTable) + candidate->glsl;
+    candidate->switches = define("NACRE_METAL", false) + define("NACRE_NORMALISED", false);
+    if (filmOnly) candidate->switches += define("NACRE_TILT", false) + define("NACRE_DISPERSION", false);
+    if (withTable) {
+        Result<FringeTable> fringes = FringeTable::create();
+        if (!fringes) return fringes.error();
+        Table table;
+        table.sampler = "bench_fringeTable";
+        table.width = FringeTable::width;
+        table.height = FringeTable::height;
+        table.format = Table::Format::unorm8;
+        table.texels.assign(fringes->texels().begin(), fringes->texels().end());
+        candidate->tables.push_back(table);
+    }
+    return candidate;
+}
+
+Result<Candidate> physicalAnalytic(const fs::path&) { return physicalFilm(true, false); }
+Result<Candidate> physicalTable(const fs::path&) { return physicalFilm(true, true); }
+Result<Candidate> physicalFullAnalytic(const fs::path&) { return physicalFilm(false, false); }
+Result<Candidate> physicalFullTable(const fs::path&) { return physicalFilm(false, true); }
+
 Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
 Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
 
@@ -93,6 +124,10 @@ const std::vector<CandidateEntry>& candidateEntries()
         {"paper-full-naive", "paper-full as the paper prints it", paperFullNaive},
         {"paper-parallel", "parallel boundaries, one index, specular, in nacre's stable forms", paperParallel},
         {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
+        {"physical-film", "quality physical, sampler-free: parallel boundaries, one index, dielectric, specular", physicalAnalytic},
+        {"physical-film-table", "the same with the fringe table, 8 bits, linear", physicalTable},
+        {"physical-full", "quality physical, sampler-free: tilt, index per channel, dielectric, diffuse", physicalFullAnalytic},
+        {"physical-full-table", "the same with the fringe table, 8 bits, linear", physicalFullTable},
         {std::string(referenceName), "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
         {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
         {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},

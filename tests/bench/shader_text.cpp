@@ -36,7 +36,8 @@ Result<std::string> fragmentShader(const Candidate& candidate, Dialect dialect, 
         if (!library) return library;
         if (!candidate.naiveForm.empty()) library = test::withNaiveForm(*library, candidate.naiveForm);
         if (!library) return library;
-        text = *library;
+        const std::size_t afterVersion = library->find('\n') + 1;
+        text = library->substr(0, afterVersion) + candidate.switches + library->substr(afterVersion);
     }
     Result<std::string> frame = readGlsl("frame.glsl");
     if (!frame) return frame;
