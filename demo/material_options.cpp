@@ -139,14 +139,15 @@ void MaterialOptions::addTo(CLI::App& app)
             for (std::string_view name : choices(first)) form += (form.empty() ? "" : "|") + std::string(name);
         }
         help << " [default " << defaultText(option) << "; " << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
-        app.add_option(option, given_[option], help.str())->type_name(form)->group("Material");
+        app.add_option_function<std::string>(option, [this, option](const std::string& text) { given_[option] = text; }, help.str())
+            ->type_name(form)
+            ->group("Material");
     }
 }
 
 Result<Material> MaterialOptions::apply(Material material) const
 {
     for (const auto& [option, text] : given_) {
-        if (text.empty()) continue;
         const Parameter first = sharing(option).front();
         Outcome outcome = std::monostate{};
         if (!choices(first).empty()) {
@@ -158,7 +159,7 @@ Result<Material> MaterialOptions::apply(Material material) const
         }
         if (!outcome) return outcome.error();
     }
-    const bool isTilted = !given_.at("--deviation").empty() && given_.at("--lower-normal").empty();
+    const bool isTilted = given_.count("--deviation") != 0 && given_.count("--lower-normal") == 0;
     if (isTilted && material.lowerNormal == LowerNormal::parallel) material.lowerNormal = LowerNormal::constant;
 
     const std::vector<Fault> faults = validate(material);

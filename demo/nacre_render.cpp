@@ -5,9 +5,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <nacre/presets.hpp>
@@ -25,10 +28,7 @@ using namespace nacre;
 using namespace nacre::demo;
 
 struct Arguments {
-    std::string model;
-    std::string preset;
-    std::string out;
-    std::string gallery;
+    std::optional<std::string> model, preset, out, gallery;
     std::string size = "1024x1024";
     bool list = false;
     MaterialOptions material;
@@ -66,37 +66,48 @@ Outcome renderGallery(const Renderer& renderer, const std::string& directory, Si
     });
 }
 
-Outcome run(const Arguments& arguments)
+Outcome runOrThrow(const Arguments& arguments)
 {
-    if (arguments.out.empty() == arguments.gallery.empty()) {
+    if (arguments.out.has_value() == arguments.gallery.has_value()) {
         return Error{"expected either --out FILE or --gallery DIR; --help lists the options"};
     }
-    if (!arguments.gallery.empty() && !arguments.preset.empty()) return Error{"--gallery: renders every preset, expected no --preset"};
+    if (arguments.gallery && arguments.preset) return Error{"--gallery: renders every preset, expected no --preset"};
     Result<Size> size = parseSize(arguments.size);
     if (!size) return size.error();
-    Result<Material> base = arguments.preset.empty() ? Result<Material>(Material{}) : preset(arguments.preset);
+    Result<Material> base = arguments.preset ? preset(*arguments.preset) : Result<Material>(Material{});
     if (!base) {
         const std::string& reason = base.error().message;
         return Error{"--preset: " + reason.substr(reason.find(": ") + 2)};
     }
     Result<Material> material = arguments.material.apply(*base);
     if (!material) return material.error();
-    if (!arguments.out.empty()) {
-        Outcome writable = checkWritable(arguments.out);
+    if (arguments.out) {
+        Outcome writable = checkWritable(*arguments.out);
         if (!writable) return Error{"--out: " + writable.error().message};
     }
 
-    Result<Scene> scene = loadScene(arguments.model.empty() ? shippedModel() : std::filesystem::path(arguments.model));
+    Result<Scene> scene = loadScene(arguments.model ? std::filesystem::path(*arguments.model) : shippedModel());
     if (!scene) return scene.error();
     Result<Context> context = Context::create();
     if (!context) return context.error();
     Result<Renderer> renderer = Renderer::create(*context, *scene);
     if (!renderer) return renderer.error();
 
-    if (!arguments.gallery.empty()) return renderGallery(*renderer, arguments.gallery, *size);
+    if (Outcome drawable = renderer->checkSize(size->width, size->height); !drawable) return Error{"--size: " + drawable.error().message};
+    if (arguments.gallery) return renderGallery(*renderer, *arguments.gallery, *size);
     Result<Image> image = renderer->render(*material, size->width, size->height);
-    if (!image) return Error{"--size: " + image.error().message};
-    return writeImage(*image, arguments.out);
+    if (!image) return image.error();
+    return writeImage(*image, *arguments.out);
+}
+
+// Memory can end anywhere between the model and the file.
+Outcome run(const Arguments& arguments)
+{
+    try {
+        return runOrThrow(arguments);
+    } catch (const std::exception& exception) {
+        return Error{std::string("cannot go on: ") + exception.what() + "; is there memory for a picture of this size?"};
+    }
 }
 
 }  // namespace
@@ -119,6 +130,8 @@ int main(int argc, char** argv)
     }
     const Outcome outcome = run(arguments);
     if (outcome) return 0;
-    std::cerr << "nacre-render: " << outcome.error().message << '\n';
+    std::string message = outcome.error().message;
+    std::replace(message.begin(), message.end(), '\n', ' ');  // a name may hold one
+    std::cerr << "nacre-render: " << message << '\n';
     return 1;
 }

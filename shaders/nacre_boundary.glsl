@@ -13,7 +13,7 @@ vec2 nacre_inverses(vec2 a)
 }
 
 // Amplitudes [a] that the boundary outside - layer reflects.
-// Differs: (η c - g)/(η c + g), expanded by its denominator, has the numerator -(1 - η²), which the
+// Differs: (eta c - g)/(eta c + g), expanded by its denominator, has the numerator -(1 - eta^2), which the
 // host knows to the last bit; that of p likewise. Nothing cancels near matched indices.
 vec2 nacre_upperAmplitudes(float eta, float oneMinusEtaSquared, float cosTheta, float cosRefracted)
 {
@@ -23,8 +23,8 @@ vec2 nacre_upperAmplitudes(float eta, float oneMinusEtaSquared, float cosTheta, 
     return oneMinusEtaSquared * vec2(-1.0, p) * (inverse * inverse);
 }
 
-// Root of what the boundary outside - layer lets through, √(1 - a²).
-// 1 - a² = 4 η c g / (η c + g)² for s; p has the same numerator. As a product it keeps its digits at
+// Root of what the boundary outside - layer lets through, sqrt (1 - a^2).
+// 1 - a^2 = 4 eta c g / (eta c + g)^2 for s; p has the same numerator. As a product it keeps its digits at
 // grazing angles.
 vec2 nacre_crossing(float eta, float cosTheta, float cosRefracted)
 {
@@ -33,7 +33,7 @@ vec2 nacre_crossing(float eta, float cosTheta, float cosRefracted)
 }
 
 // Amplitudes [b] that the boundary layer - object reflects, the object a dielectric.
-// substrate is (r2 / r1)², sineSquared that of the angle in the layer. Beyond its critical angle the
+// substrate is (r2 / r1)^2, sineSquared that of the angle in the layer. Beyond its critical angle the
 // boundary reflects all: the phase that a film on it would add is left out (it moves no energy).
 vec2 nacre_lowerAmplitudes(float substrate, float sineSquared, float cosRefracted)
 {
@@ -42,7 +42,7 @@ vec2 nacre_lowerAmplitudes(float substrate, float sineSquared, float cosRefracte
     return (g - w) * nacre_inverses(g + w);
 }
 
-// The same for a metal, (r2 / r1)² complex: amplitudes of s in xy, of p in zw, complex. An absorbed wave
+// The same for a metal, (r2 / r1)^2 complex: amplitudes of s in xy, of p in zw, complex. An absorbed wave
 // goes as exp(i (n + i k) x), so the imaginary part is not negative.
 vec4 nacre_lowerAmplitudesMetal(vec2 substrate, float sineSquared, float cosRefracted)
 {

@@ -9,7 +9,7 @@
 #endif
 
 // 1: the path through the layer is multiplied out in two parts, so that a thick layer's phase is not
-// lost in the rounding of its whole cycles. 0: in one, which below 10 µm is as good and cheaper.
+// lost in the rounding of its whole cycles. 0: in one, which below 10 um is as good and cheaper.
 #ifndef NACRE_SPLIT_PHASE
 #define NACRE_SPLIT_PHASE 1
 #endif
@@ -42,7 +42,7 @@
 #define NACRE_NORMALISED 1
 #endif
 
-// The fringe table's layout, nacre::FringeTable: texels along the path, and the path of the last, µm.
+// The fringe table's layout, nacre::FringeTable: texels along the path, and the path of the last, um.
 #define NACRE_FRINGE_TEXELS 1024.0
 #define NACRE_FRINGE_RANGE_UM 10.0
 

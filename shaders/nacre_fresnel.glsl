@@ -10,7 +10,7 @@ vec3 nacre_reflectance(vec3 normalReflectance, float cosTheta)
     return normalReflectance + (1.0 - normalReflectance) * (m2 * m2 * m);
 }
 
-// 1 - (1 - cosTheta)⁵, the angular part of the transmittance 1 - F (Eq 9), multiplied out:
+// 1 - (1 - cosTheta)^5, the angular part of the transmittance 1 - F (Eq 9), multiplied out:
 // the interference takes its root, which at grazing angles would see only the rounding of 1 - F.
 float nacre_transmittanceShape(float cosTheta)
 {

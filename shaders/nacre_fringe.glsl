@@ -1,7 +1,7 @@
 #ifndef NACRE_FRINGE_GLSL
 #define NACRE_FRINGE_GLSL
 
-// What an RGB sensor makes of a fringe: C(x) = ∫ S(λ) exp(2πi x / λ) dλ for the path difference x, per
+// What an RGB sensor makes of a fringe: C(x) = integral S(lambda) exp(2 pi i x / lambda) dlambda for the path difference x, per
 // channel, S the channel's curve with the light's spectrum, 1 for a white reflector. The m-th harmonic of
 // the fringe at x is C(m x). A cosine at one wavelength never fades; C fades as real fringes do, and
 // thick layers lose their colour.
@@ -16,11 +16,11 @@ struct nacre_Fringe {
 };
 
 // Four spectral lines with Gaussian profiles, which the three channels share: the least-squares fit to C
-// by tests/spectral/fit_fringe.py. Residual, at most: R 0.077, G 0.042, B 0.039 (up to 0.45 µm: 0.0016).
+// by tests/spectral/fit_fringe.py. Residual, at most: R 0.077, G 0.042, B 0.039 (up to 0.45 um: 0.0016).
 // In films of up to 800 nm on dielectrics 0.07 CIEDE2000 on average, all
 // errors of the quality included; the table 0.05.
-// Wavelengths 451, 525, 555, 604 nm, cycles per µm; e-folding paths 2.1, 1.6, 2.1, 2.8 µm, as
-// -log2(e) / s².
+// Wavelengths 451, 525, 555, 604 nm, cycles per um; e-folding paths 2.1, 1.6, 2.1, 2.8 um, as
+// -log2(e) / s^2.
 const vec4 nacre_fringeLines = vec4(2.21777322, 1.90322369, 1.80066289, 1.65613586);
 const vec4 nacre_fringeDecay = vec4(-0.326053914, -0.597588231, -0.333458856, -0.182555639);
 const vec4 nacre_fringeRed = vec4(0.144105461, -0.766282724, -0.123086929, 1.74525443);
@@ -34,8 +34,8 @@ highp vec4 nacre_linePhase(highp float path)
     return 6.28318531 * (cycles - floor(cycles + 0.5));
 }
 
-// Harmonics without further cosines: cos mφ and sin mφ by Chebyshev's recursion from the two before
-// (first, and zeroth), the Gaussian's m²-th power from the odd powers 1, 3, 5, ...
+// Harmonics without further cosines: cos mphi and sin mphi by Chebyshev's recursion from the two before
+// (first, and zeroth), the Gaussian's m^2-th power from the odd powers 1, 3, 5, ...
 nacre_Fringe nacre_lineHarmonics(highp float path, vec4 cosine, vec4 first, vec4 zeroth)
 {
     nacre_Fringe f;

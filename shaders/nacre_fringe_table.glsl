@@ -5,7 +5,7 @@
 // edge, no mipmaps. One look-up serves three channels. Two rows: cosine and sine part; rgb the channels,
 // a what the luminance has left of its contrast.
 
-// One texel of a path, µm; row 0.25: cosine, 0.75: sine.
+// One texel of a path, um; row 0.25: cosine, 0.75: sine.
 // Stored as C / 4 + 1/2, but for the shift of 1/510 that makes 0 and 1 exact in eight bits.
 vec4 nacre_fringeTexel(sampler2D table, highp float path, float row)
 {

@@ -17,15 +17,15 @@ struct nacre_View {
     vec3 cosRefracted;        // cosTo: <-t_o, n0> per channel
     vec3 lowerCosine;         // <t_o, n1>
     vec3 sqrtTransmittance;   // root of the transmittance out of the layer, Eq 9; 0: no way out
-    nacre_Path path;          // r1 d / λ
-    vec3 diffuse;             // ρd, Eq 16
+    nacre_Path path;          // r1 d / lambda
+    vec3 diffuse;             // rho_d, Eq 16
 };
 
 // What light and view make of each other, before they interfere.
 struct nacre_Terms {
     vec3 sqrtR;   // root of the upper boundary's reflection [R, Eq 6]
     vec3 sqrtT;   // root of the part that went through the layer [T, Eq 10]
-    vec3 cycles;  // path through the layer in wavelengths but for whole ones [Φ / π, Eq 3]; means nothing where sqrtT is 0
+    vec3 cycles;  // path through the layer in wavelengths but for whole ones [Phi / pi, Eq 3]; means nothing where sqrtT is 0
     float upperOneMinus;  // 1 - the lobe's cosine at the upper boundary, Eq 6
     vec3 lowerOneMinus;   // 1 - the lobe's cosine at the lower boundary, Eq 10
 };
@@ -89,7 +89,7 @@ nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
     return t;
 }
 
-// The specular part ρ, a BRDF without the cosine: Eq 5.
+// The specular part rho, a BRDF without the cosine: Eq 5.
 vec3 nacre_specular(nacre_Material m, nacre_View w, vec3 l)
 {
     nacre_Terms t = nacre_terms(m, w, l);

@@ -2,14 +2,14 @@
 #define NACRE_MATERIAL_GLSL
 
 // What depends on the material alone. The host computes it in double precision, `nacre::pack`
-// (lib/src/block.cpp): subtracted here, 1 - eta² would lose up to 3e-2 near matched indices.
+// (lib/src/block.cpp): subtracted here, 1 - eta^2 would lose up to 3e-2 near matched indices.
 // A vec3 holds the channels R, G, B. Symbols of Granier & Heidrich 2003 in brackets.
 struct nacre_Material {
     vec3 eta;                 // index outside over index of the layer [r0 / r1]
     vec3 etaSquared;
-    vec3 oneMinusEtaSquared;  // (r1 - r0)(r1 + r0) / r1²; negative below the outside index
+    vec3 oneMinusEtaSquared;  // (r1 - r0)(r1 + r0) / r1^2; negative below the outside index
     vec3 normalReflectance;   // [f, Eq 8]
-    vec3 cyclesPerUm;         // index over wavelength [r1 / λ], 1/µm, rounded to 12 bits
+    vec3 cyclesPerUm;         // index over wavelength [r1 / lambda], 1/um, rounded to 12 bits
     vec3 cyclesPerUmTail;     // what that rounding left out
     vec3 diffuseFringe;       // [2 sqrt(Td (1 - Td)), Eq 16]
 
@@ -18,7 +18,7 @@ struct nacre_Material {
     float specularWeight;
     float diffuseWeight;
 
-    float thicknessLeastUm;   // bounds of the layer's thickness [d], µm
+    float thicknessLeastUm;   // bounds of the layer's thickness [d], um
     float thicknessMostUm;
     float noiseFrequency;     // features of the thickness per unit of length
     int noiseOctaves;
@@ -30,8 +30,8 @@ struct nacre_Material {
     vec3 substrateReal;       // square of the index below over the layer's: real
     vec3 substrateImaginary;  // and imaginary part, 0 for a dielectric
     vec3 diffuseAlbedo;
-    float upperScale;         // root of what normalises the upper lobe, (e0 + 2) / 2π; 1: not normalised
-    float lowerScale;         // the same of the lower lobe, without its eta²
+    float upperScale;         // root of what normalises the upper lobe, (e0 + 2) / 2pi; 1: not normalised
+    float lowerScale;         // the same of the lower lobe, without its eta^2
     int lobes;                // 1: normalised
     int substrate;            // one of NACRE_SUBSTRATE_*
     int quality;              // one of NACRE_QUALITY_*

@@ -2,7 +2,7 @@
 #define NACRE_NOISE_GLSL
 
 // Gradient noise in space, after Perlin 1985 ("An Image Synthesizer", the paper's [14]) with the fade
-// 6t⁵ - 15t⁴ + 10t³ and the twelve edge gradients of Perlin 2002 ("Improving noise").
+// 6t^5 - 15t^4 + 10t^3 and the twelve edge gradients of Perlin 2002 ("Improving noise").
 // Differs: an integer hash stands in for the permutation table, which needs no memory and takes a
 // seed; the analytic gradient comes along, for bump mapping.
 

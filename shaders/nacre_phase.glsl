@@ -1,10 +1,10 @@
 #ifndef NACRE_PHASE_GLSL
 #define NACRE_PHASE_GLSL
 
-// The phase in cycles: Granier & Heidrich 2003, Eq 3, Φ = π OPD / λ, OPD = r1 d (cosTi + cosTo).
-// highp where the profile is ES: a layer of 10 µm is 1e2 cycles, of which the fraction counts.
+// The phase in cycles: Granier & Heidrich 2003, Eq 3, Phi = pi OPD / lambda, OPD = r1 d (cosTi + cosTo).
+// highp where the profile is ES: a layer of 10 um is 1e2 cycles, of which the fraction counts.
 
-// r1 d / λ, the layer's thickness in wavelengths, as head + tail. The head has 12 significant bits, so that
+// r1 d / lambda, the layer's thickness in wavelengths, as head + tail. The head has 12 significant bits, so that
 // its product with another such number is exact; without NACRE_SPLIT_PHASE it is all there is.
 struct nacre_Path {
     highp vec3 head;
@@ -22,7 +22,7 @@ highp vec3 nacre_head(highp vec3 a)
     return uintBitsToFloat(floatBitsToUint(a) & uvec3(0xFFFFF000u));
 }
 
-// cyclesPerUm, cyclesPerUmTail: r1 / λ as the host split it, nacre_Material.
+// cyclesPerUm, cyclesPerUmTail: r1 / lambda as the host split it, nacre_Material.
 // A thickness that is none (negative, NaN, above a metre, where the products below would overflow before
 // long) counts as 0; the comparison is one that NaN fails.
 nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp float thicknessUm)
@@ -39,7 +39,7 @@ nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp 
 #endif
 }
 
-// OPD / λ with whole cycles left out, between -1 and 1 or a little beyond; the cosine asks for no more.
+// OPD / lambda with whole cycles left out, between -1 and 1 or a little beyond; the cosine asks for no more.
 // cosSum: cosTi + cosTo.
 highp vec3 nacre_pathCycles(nacre_Path path, highp vec3 cosSum)
 {
@@ -52,11 +52,11 @@ highp vec3 nacre_pathCycles(nacre_Path path, highp vec3 cosSum)
 #endif
 }
 
-// cos Φ, but for its sign, of a phase Φ = π cycles.
+// cos Phi, but for its sign, of a phase Phi = pi cycles.
 // The whole cycles are taken off first: exact, and no driver's own reduction of large arguments
-// is asked. Then |cos Φ| = sin(π y), y = 1/2 - |remainder| in [0, 1/2]: y is exact too, so the dark
-// fringe, where y is near 0, keeps its relative precision. sin(π y) / y is fitted by a polynomial in
-// y² (minimax on [0, 1/4], residual 6e-9 relative), the same on every driver.
+// is asked. Then |cos Phi| = sin(pi y), y = 1/2 - |remainder| in [0, 1/2]: y is exact too, so the dark
+// fringe, where y is near 0, keeps its relative precision. sin(pi y) / y is fitted by a polynomial in
+// y^2 (minimax on [0, 1/4], residual 6e-9 relative), the same on every driver.
 vec3 nacre_cosPhase(highp vec3 cycles)
 {
     highp vec3 y = 0.5 - abs(cycles - floor(cycles + 0.5));

@@ -10,20 +10,20 @@ struct nacre_PhysicalView {
     nacre_View layer;           // what both qualities share
     vec3 crossingS, crossingP;  // root of what leaves the layer towards the viewer, per polarisation
     vec3 lowerScale;            // root of what normalises the lower lobe
-    vec3 pathAtNormal;          // r1 d, µm
+    vec3 pathAtNormal;          // r1 d, um
     vec3 diffuse;               // BRDF of the diffuse part
 };
 
 // What light and view make of each other, before they interfere.
 struct nacre_PhysicalTerms {
-    float rootUpper;            // √L0
-    vec3 rootLower;             // √L1
+    float rootUpper;            // sqrt L0
+    vec3 rootLower;             // sqrt L1
     float cosHalfSquared;       // of the angle between light and half vector
-    vec3 crossingS, crossingP;  // τ: into the layer and out of it
-    vec3 path;                  // r1 d (cosTi + cosTo), µm
+    vec3 crossingS, crossingP;  // tau: into the layer and out of it
+    vec3 path;                  // r1 d (cosTi + cosTo), um
 };
 
-// τ of one direction for three channels.
+// tau of one direction for three channels.
 void nacre_crossings(vec3 eta, float cosTheta, vec3 cosRefracted, out vec3 s, out vec3 p)
 {
     vec2 r = nacre_crossing(eta.x, cosTheta, cosRefracted.x);
@@ -34,7 +34,7 @@ void nacre_crossings(vec3 eta, float cosTheta, vec3 cosRefracted, out vec3 s, ou
 }
 
 // Diffuse BRDF: Eq 16 with the sensor's fringe in place of one wavelength's, over its greatest value
-// (√Rd + √Td)², so that it never exceeds the albedo, over π. cosine: C(2 r1 d).
+// (sqrt Rd + sqrt Td)^2, so that it never exceeds the albedo, over pi. cosine: C(2 r1 d).
 vec3 nacre_physicalDiffuse(nacre_Material m, vec3 cosine)
 {
     vec3 fringe = (1.0 + m.diffuseFringe * clamp(cosine, -1.0, 1.0)) / (1.0 + m.diffuseFringe);
@@ -120,9 +120,9 @@ nacre_PhysicalTerms nacre_physicalTerms(nacre_Material m, nacre_PhysicalView w, 
     return t;
 }
 
-// The film of one channel. crossing: τ of s and p. The angle within the film is that of the half vector's,
+// The film of one channel. crossing: tau of s and p. The angle within the film is that of the half vector's,
 // refracted: light and viewer enter alike, and in the mirror direction it is the ray's own.
-// Below the outside's index, beyond the critical angle: a² = 1, and nothing else.
+// Below the outside's index, beyond the critical angle: a^2 = 1, and nothing else.
 nacre_Film nacre_filmOf(float eta, float oneMinusEtaSquared, vec2 substrate, int kind, float cosHalfSquared, vec2 crossing)
 {
     float cosSquared = oneMinusEtaSquared + eta * eta * cosHalfSquared;
@@ -141,7 +141,7 @@ nacre_Film nacre_filmOf(float eta, float oneMinusEtaSquared, vec2 substrate, int
     return nacre_film(a, b * b, vec4(q.x, 0.0, q.y, 0.0), crossing);
 }
 
-// ρ of one channel; cosine, sine: that channel's fringes, sine for metals alone.
+// rho of one channel; cosine, sine: that channel's fringes, sine for metals alone.
 float nacre_filmChannel(nacre_Film film, int kind, float cosine[NACRE_ORDERS], float sine[NACRE_ORDERS], float coherence,
                         float rootUpper, float rootLower)
 {
@@ -156,7 +156,7 @@ float nacre_filmChannel(nacre_Film film, int kind, float cosine[NACRE_ORDERS], f
     return nacre_filmReflectance(film, fringes, rootUpper, rootLower);
 }
 
-// The film in three channels: the specular part ρ, a BRDF without the cosine.
+// The film in three channels: the specular part rho, a BRDF without the cosine.
 vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalTerms t, nacre_Fringe cosine, nacre_Fringe sine)
 {
     vec3 rho;
@@ -174,7 +174,7 @@ vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalTerms t, nacre_Fringe co
     return rho;
 }
 
-// The specular part ρ, a BRDF without the cosine.
+// The specular part rho, a BRDF without the cosine.
 vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
 {
     nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);

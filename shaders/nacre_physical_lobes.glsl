@@ -13,8 +13,8 @@ vec3 nacre_lowerLobeOneMinusParallel(vec3 etaSquared, float halfAcrossSquared, f
     return 0.5 * (etaSquared * halfAcrossSquared + along * along);
 }
 
-// What a Phong lobe cos^e gains when it is normalised, apart from the host's (e + 2) / 2π: one over
-// this. Differs: (e + 2) / 2π is exact at normal incidence alone, towards the horizon a lobe loses half
+// What a Phong lobe cos^e gains when it is normalised, apart from the host's (e + 2) / 2pi: one over
+// this. Differs: (e + 2) / 2pi is exact at normal incidence alone, towards the horizon a lobe loses half
 // of itself to it. Divided by the larger cosine it is reciprocal, loses far less and never gains: for
 // e >= 1 the albedo stays <= 1 at every angle. Below, the lobe is so wide that the quotient would gain
 // (up to 2 at e = 0), so it is blended to 1.
@@ -28,10 +28,10 @@ vec3 nacre_lobeFlattening(float exponent, vec3 cosLarger)
     return 1.0 + min(exponent, 1.0) * (cosLarger - 1.0);
 }
 
-// Root of what the lower lobe's (e + 2) / 2π has to be multiplied by. Inside, solid angles are eta²
+// Root of what the lower lobe's (e + 2) / 2pi has to be multiplied by. Inside, solid angles are eta^2
 // times those outside. A lobe that the tilt turns away from its own mirror direction, towards the normal,
 // is flattened by less than it gains: by up to (e + 2) / (e + 1), which is taken off as the tilt grows
-// to half the lobe's width, 1 / √(e + 1). At e = 0 there is no direction to turn away from.
+// to half the lobe's width, 1 / sqrt (e + 1). At e = 0 there is no direction to turn away from.
 // upperAcross: n0 in the plane across n1, as long as the sine of the tilt.
 vec3 nacre_lowerLobeScale(vec3 eta, vec2 upperAcross, float exponent)
 {

@@ -4,7 +4,7 @@
 // log(1 - u) for 0 <= u < 1, to about 2e-7 relative: a Phong lobe of exponent e reads its cosine
 // as x^e = exp(e log x), and e times the rounding of 1 - u would be its error.
 // Below 1/2: log(1 - u) = -2 atanh(s), s = u / (2 - u) <= 1/3, as the odd series
-// 2 s (1 + z/3 + z²/5 + z³/7 + ...), z = s² <= 1/9, its coefficients moved to make up for the
+// 2 s (1 + z/3 + z^2/5 + z^3/7 + ...), z = s^2 <= 1/9, its coefficients moved to make up for the
 // terms left out (minimax on [0, 1/9], residual 4.5e-9 relative).
 // Above: the built-in logarithm. What it errs, 2^-21 at most by the GLSL specification, times
 // e x^e <= 0.53 for every e is 2.5e-7.

@@ -2,7 +2,7 @@
 #define NACRE_THICKNESS_GLSL
 
 // Thickness of the layer at a point: Granier & Heidrich 2003, Sec 3.2 and 6.1, Perlin noise between
-// two bounds. Value in w, in µm; in xyz the gradient of the noise behind it per feature, whose part
+// two bounds. Value in w, in um; in xyz the gradient of the noise behind it per feature, whose part
 // along a surface is 1 in the root mean square for one octave: what the lower normal takes (a gradient in
 // nm per unit of length would tilt nothing).
 // p is the point in the object's own space, so that the layer stays on a moving object.
@@ -19,8 +19,9 @@ vec4 nacre_thickness(nacre_Material m, vec3 p)
     float share = 0.5 + height * (0.75 - 0.25 * height * height);
     vec3 gradient = noise.xyz * (1.0 - height * height);
     float thickness = mix(m.thicknessLeastUm, m.thicknessMostUm, share);
-    // A point that is not finite has no noise; a comparison that NaN fails gives it the lower bound.
-    return vec4(gradient, thickness <= m.thicknessMostUm ? thickness : m.thicknessLeastUm);
+    // A point that is not finite has no noise; a comparison that NaN fails gives it the lower bound. The blend may
+    // exceed the upper bound by its rounding.
+    return vec4(gradient, thickness >= m.thicknessLeastUm ? min(thickness, m.thicknessMostUm) : m.thicknessLeastUm);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <set>
 
 #include <nacre/block.hpp>
@@ -87,20 +88,47 @@ TEST(Uniforms, EveryValueArrives)
     const GLuint id = program(GlslUniforms::plain);
     const Result<Uniforms> uniforms = Uniforms::locate(context().getProcAddress(), id);
     ASSERT_TRUE(uniforms) << uniforms.error().message;
-    const Block block = *pack(*preset("figure-3-right"));
+    Material material = *preset("figure-3-right");
+    material.quality = Quality::physical;  // no enumeration is left at 0, where a uniform starts
+    material.substrate = Substrate::metal;
+    material.lobes = Lobes::normalised;
+    const Block block = *pack(material);
     gl.UseProgram(id);
     uniforms->set(block);
     for (const BlockMember& member : blockMembers()) {
-        if (member.type == BlockMember::Type::integer) continue;
-        float got[3] = {NAN, NAN, NAN};
         const GLint location = gl.GetUniformLocation(id, member.uniform);
         ASSERT_GE(location, 0) << member.uniform;
-        gl.GetUniformfv(id, location, got);
+        float got[3] = {NAN, NAN, NAN};
+        if (member.type == BlockMember::Type::integer) {
+            GLint whole = -1;
+            gl.GetUniformiv(id, location, &whole);
+            std::memcpy(got, &whole, sizeof whole);
+        } else {
+            gl.GetUniformfv(id, location, got);
+        }
         const std::size_t size = member.type == BlockMember::Type::vec3 ? 12 : 4;
         EXPECT_EQ(std::memcmp(got, reinterpret_cast<const char*>(&block) + member.offset, size), 0) << member.uniform;
     }
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     gl.DeleteProgram(id);
+}
+
+// The README's shader, as it is printed there, behind the library's text.
+TEST(Readme, ShaderCompilesAndLinks)
+{
+    std::ifstream file(NACRE_README);
+    const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t start = readme.find("```glsl\n");
+    ASSERT_NE(start, std::string::npos);
+    const std::size_t end = readme.find("```", start + 8);
+    const std::string snippet = readme.substr(start + 8, end - start - 8);
+    const Result<GLuint> linked =
+        demo::linkProgram(context().gl(),
+                          "#version 330 core\nout vec3 normal, position;\nout vec4 tangent;\n"
+                          "void main() { normal = position = vec3(1.0); tangent = vec4(1.0); gl_Position = vec4(0.0); }\n",
+                          *glsl() + snippet);
+    ASSERT_TRUE(linked) << linked.error().message;
+    context().gl().DeleteProgram(*linked);
 }
 
 TEST(Uniforms, AnOptimisedAwayUniformIsNoError)

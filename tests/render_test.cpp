@@ -141,6 +141,10 @@ TEST_F(RenderTest, RefusesBadInput)
     expectRefusal("--out no/such/x.png", "--out: cannot write 'no/such/x.png': there is no directory 'no/such'");
     expectRefusal("--size 16x16", "expected either --out FILE or --gallery DIR");
     expectRefusal("--gallery g --out x.png", "expected either --out FILE or --gallery DIR");
+    expectRefusal("--ior ''" + out, "--ior: expected N or R,G,B in numbers, got ''");
+    expectRefusal("--preset ''" + out, "--preset: no preset ''");
+    expectRefusal("''" + out, "cannot load ''");
+    expectRefusal("--gallery g --size 100000x5", "--size: expected a size from 1x1 to");
     expectRefusal("--gallery /dev/null/x --size 16x16", "cannot make the directory '/dev/null/x'");
 }
 

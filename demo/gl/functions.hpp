@@ -62,6 +62,7 @@ namespace nacre::demo {
     X(PFNGLGETUNIFORMINDICESPROC, GetUniformIndices)                    \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                  \
     X(PFNGLGETUNIFORMFVPROC, GetUniformfv)                              \
+    X(PFNGLGETUNIFORMIVPROC, GetUniformiv)                              \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)                                \
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                  \

@@ -4,6 +4,8 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -39,14 +41,16 @@ Error cannotWrite(const fs::path& file, std::string why)
 // Writes beside the target and renames: under its name stands the old file or the whole new one.
 Outcome replaceFile(const fs::path& file, const std::vector<unsigned char>& bytes)
 {
-    fs::path partial = file;
-    partial.replace_filename('.' + file.filename().string() + ".partial");
+    std::error_code error;
+    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    fs::path partial = target;
+    partial.replace_filename(".nacre-" + std::to_string(getpid()) + ".partial");
     errno = 0;
     std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
     stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     stream.close();
-    std::error_code error;
-    if (stream) fs::rename(partial, file, error);
+    error.clear();
+    if (stream) fs::rename(partial, target, error);
     else error = std::error_code(errno ? errno : EIO, std::generic_category());
     if (!error) return std::monostate{};
     const std::string why = error.message();

@@ -159,19 +159,24 @@ int Renderer::largestSize() const
     return std::min({texture, viewport[0], viewport[1]});
 }
 
+Outcome Renderer::checkSize(int width, int height) const
+{
+    const int largest = largestSize();
+    if (width >= 1 && height >= 1 && std::max(width, height) <= largest) return std::monostate{};
+    return Error{"expected a size from 1x1 to " + std::to_string(largest) + 'x' + std::to_string(largest) + ", got " +
+                 std::to_string(width) + 'x' + std::to_string(height)};
+}
+
 Result<Image> Renderer::render(const Material& material, int width, int height) const
 {
     const GlFunctions& gl = *gl_;
-    const int largest = largestSize();
-    if (width < 1 || height < 1 || std::max(width, height) > largest) {
-        return Error{"expected a size from 1x1 to " + std::to_string(largest) + 'x' + std::to_string(largest) + ", got " +
-                     std::to_string(width) + 'x' + std::to_string(height)};
-    }
+    if (Outcome drawable = checkSize(width, height); !drawable) return drawable.error();
     Result<Block> block = pack(material);
     if (!block) return block.error();
 
     // Nine samples per pixel while the driver's limits and 1 GiB of samples allow: highlights of
     // narrow lobes need them as much as edges do, and multisampling would smooth edges only.
+    const int largest = largestSize();
     int samples = 3;
     const auto exceeds = [&](int n) {
         return std::max(width, height) * n > largest || 16.0 * width * height * n * n > 1024.0 * 1024.0 * 1024.0;

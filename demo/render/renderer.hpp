@@ -24,8 +24,8 @@ public:
     /// Errors: a size that the driver cannot draw, a material that does not validate.
     Result<Image> render(const Material& material, int width, int height) const;
 
-    /// The longest side that the driver can draw.
-    int largestSize() const;
+    /// An error where the driver cannot draw a picture of that size.
+    Outcome checkSize(int width, int height) const;
 
 private:
     struct Mesh {
@@ -33,6 +33,7 @@ private:
         GLsizei count = 0;
     };
     explicit Renderer(const GlFunctions& gl) : gl_(&gl) {}
+    int largestSize() const;
     void draw(GLuint program, const struct Camera& camera) const;
 
     const GlFunctions* gl_;

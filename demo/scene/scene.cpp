@@ -27,6 +27,7 @@ constexpr std::size_t kMostInstances = std::size_t{1} << 20;
 
 // Squares of distances up to this, and sums of them, stay within single precision (3.4e38).
 constexpr double kMostCoordinate = 1e18;
+constexpr double kLeastExtent = 1e-15;
 
 /// A glTF mesh in Scene::meshes, where each of its primitives is a mesh of its own.
 struct MeshRange {
@@ -130,6 +131,10 @@ Bounds worldBounds(const Scene& scene) {
         if (!(std::max(-least[axis], most[axis]) <= kMostCoordinate)) {
             throw LoadFailure("scene reaches too far out, expected coordinates within 1e18");
         }
+    }
+    // Below, the squares of lengths that framing and noise take would be 0 in float.
+    if (!(glm::length(most - least) >= kLeastExtent)) {
+        throw LoadFailure("scene is smaller than 1e-15, expected something to see");
     }
     return {glm::vec3(least), glm::vec3(most)};
 }

@@ -48,8 +48,9 @@ struct Scene {
     Bounds bounds;                    ///< encloses every instance, in the world
 };
 
-/// Reads the triangles of a glTF 2.0 file, .gltf or .glb, in bind pose: its default scene, else its
-/// first, else all its root nodes. Left out: points, lines, materials, textures, skins, morph
+/// Reads the triangles of a glTF 2.0 file, .gltf or .glb, each mesh where its node places it: its default scene, else its
+/// first, else all its root nodes. Left out: points, lines, materials
+/// (all faces are drawn from both sides), textures, skins (a skinned mesh stands where its node does), morph
 /// targets, animations, cameras, and meshes flattened by a transform that cannot be inverted.
 /// Nothing is thrown or printed; the error is one line: file, reason, what would be right.
 Result<Scene> loadScene(const std::filesystem::path& file);

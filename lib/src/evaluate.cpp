@@ -30,6 +30,10 @@ Result<Surface> surface(const Material& material, glm::dvec3 normal, glm::dvec4 
     if (!faults.empty()) return Error{"nacre::surface(): " + faults.front().message};
     if (!isFinite(normal)) return notFinite("surface", "normal");
     if (!isFinite(objectPosition)) return notFinite("surface", "objectPosition");
+    if (!isFinite(glm::dvec3(tangent)) || !std::isfinite(tangent.w)) return notFinite("surface", "tangent");
+    if (!isFinite(normalToShading[0]) || !isFinite(normalToShading[1]) || !isFinite(normalToShading[2])) {
+        return notFinite("surface", "normalToShading");
+    }
 
     const model::Surface s = model::surface(model::derive(material), normal, tangent, objectPosition, normalToShading);
     return Surface{s.upperNormal, s.lowerNormal, s.thicknessUm * 1000.0};

@@ -127,7 +127,7 @@ Outcome measureAll(const Options& options)
         if (Outcome written = writeFile(options.csv, csv(all)); !written) return written;
     }
     if (!options.plot.empty()) {
-        if (Outcome drawn = plot(all, options.plot); !drawn) std::cerr << "nacre-accuracy: " << drawn.error().message << '\n';
+        return plot(all, options.plot);
     }
     return std::monostate{};
 }

@@ -92,6 +92,7 @@ int main(int argc, char** argv)
     app.add_option("--failures", failures, "Write the cases that fail to this file, for nacre-eval; a thousand at most");
     if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
+    if (!(std::floor(count) == count)) return fail({"--count: expected a whole number"});  // false for NaN
     Result<demo::Context> context = demo::Context::create();
     if (!context) return fail(context.error());
     Result<Shade> shade = Shade::create(*context);

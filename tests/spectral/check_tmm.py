@@ -4,7 +4,7 @@
     check_tmm.py NACRE_FILM_ERROR WORK         compare 400 random films (installs tmm into WORK)
     check_tmm.py NACRE_FILM_ERROR WORK --data  print a few films with tmm's results as CSV, for tests/spectral/data
 
-Exit status 77: the package index cannot be reached, nothing was compared.
+Exit status 77: tmm cannot be had, nothing was compared.
 """
 import pathlib
 import subprocess
@@ -17,7 +17,11 @@ TOLERANCE = 1e-11  # both sum a handful of terms near 1 in double precision; gra
 def interpreter(work):
     python = work / "tmm-environment" / "bin" / "python"
     if not python.exists():
-        venv.create(work / "tmm-environment", with_pip=True)
+        try:
+            venv.create(work / "tmm-environment", with_pip=True)
+        except subprocess.CalledProcessError:
+            print("skipped: no virtual environment can be made; is Debian's python3-venv installed?")
+            sys.exit(77)
     installed = subprocess.run([python, "-m", "pip", "install", "--quiet", "tmm==0.2.0", "numpy"], capture_output=True, text=True)
     if installed.returncode:
         print(installed.stderr[-2000:])

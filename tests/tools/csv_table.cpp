@@ -3,6 +3,7 @@
 #include <csv.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
@@ -32,7 +33,8 @@ void endRow(int, void* cells)
 
 Result<CsvTable> CsvTable::read(std::istream& stream)
 {
-    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // the byte-order mark that spreadsheets write
     csv_parser parser{};
     if (csv_init(&parser, 0) != 0) return Error{"CSV: out of memory"};
     const std::unique_ptr<csv_parser, decltype(&csv_free)> owner(&parser, &csv_free);
@@ -48,6 +50,9 @@ Result<CsvTable> CsvTable::read(std::istream& stream)
     table.columns = std::move(cells.rows.front());
     cells.rows.erase(cells.rows.begin());
     table.rows = std::move(cells.rows);
+    for (const std::string& column : table.columns) {
+        if (std::count(table.columns.begin(), table.columns.end(), column) > 1) return Error{"CSV: expected a column " + column + " once"};
+    }
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         if (table.rows[row].size() != table.columns.size()) {
             return Error{"CSV row " + std::to_string(row + 1) + ": expected " + std::to_string(table.columns.size()) +
@@ -67,7 +72,8 @@ Result<double> number(const CsvTable& table, std::size_t row, std::size_t column
     const std::string& cell = table.rows[row][column];
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
-    if (cell.empty() || *end != '\0') {
+    const bool isWhole = !cell.empty() && end == cell.c_str() + cell.size() && std::isspace(static_cast<unsigned char>(cell.front())) == 0;
+    if (!isWhole) {
         return Error{"CSV row " + std::to_string(row + 1) + ", column " + table.columns[column] + ": expected a number, got '" + cell + "'"};
     }
     return value;

@@ -60,7 +60,7 @@ void main()
     vec3 cycles = (m.cyclesPerUm + m.cyclesPerUmTail) * s.thicknessUm * (sqrt(max(inside, 0.0)) + w.cosRefracted);
     phi = mix(vec3(0.0), 3.14159265 * cycles, hasRays);
     meanCos = nacre_meanRefractedCosine(m.eta, m.oneMinusEtaSquared, m.normalReflectance);
-    lobes = vec3(t.upperOneMinus, t.lowerOneMinus.r, t.lowerOneMinus.b);
+    lobes = vec3(t.upperOneMinus, t.lowerOneMinus.r, t.cycles.b);
 }
 )";
 

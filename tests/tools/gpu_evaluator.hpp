@@ -16,8 +16,8 @@ struct GpuInput {
 /// Where quality `physical` has its fringes from.
 enum class FringeForm { table, analytic };
 
-/// What the shader makes of it: the members of nacre::Evaluation, and 1 - the lobes' cosines (upper, lower
-/// red, lower blue).
+/// What the shader makes of it: the members of nacre::Evaluation, and of nacre_Terms 1 - the lobes' cosines
+/// (upper, lower red) and the path's cycles (blue).
 struct GpuOutput {
     glm::vec3 rho, R, T, phi, diffuse, meanCos, shaded, lobes;
 };

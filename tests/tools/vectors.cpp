@@ -1,5 +1,6 @@
 #include "vectors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,22 @@ std::vector<std::string> perChannel(const std::vector<std::string>& names)
         for (const char* channel : {"_r", "_g", "_b"}) columns.push_back(name + channel);
     }
     return columns;
+}
+
+// Unit length whatever the size; NaN where there is no direction, which evaluate() then refuses.
+glm::dvec3 unit(glm::dvec3 a)
+{
+    const double largest = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+    const glm::dvec3 scaled = a / largest;
+    // What is a unit vector but for float32's rounding of its components is divided once, not twice.
+    return largest > 1e-100 && largest < 1e100 ? glm::normalize(a) : glm::normalize(scaled);
+}
+
+// A normal as it stands, for the shader to normalise, unless float32 cannot hold it.
+glm::vec3 inFloat(glm::dvec3 normal)
+{
+    const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
+    return largest > 0.0 && (largest < 1e-30 || largest > 1e30) ? unit(normal) : normal;
 }
 
 // The cells of a row as the columns name them, in inputColumns()' order.
@@ -94,7 +111,7 @@ Result<std::vector<Case>> readCases(const CsvTable& table, Quality quality)
 
 Result<Evaluation> evaluate(const Case& one, const FringeTable* fringeTable)
 {
-    return nacre::evaluate(one.material, one.surface, glm::normalize(one.light), glm::normalize(one.view), fringeTable);
+    return nacre::evaluate(one.material, one.surface, unit(one.light), unit(one.view), fringeTable);
 }
 
 Result<GpuInput> gpuInput(const Case& one)
@@ -102,10 +119,10 @@ Result<GpuInput> gpuInput(const Case& one)
     Result<Block> block = nacre::pack(one.material);
     if (!block) return block.error();
     return GpuInput{*block,
-                    glm::normalize(one.light),
-                    glm::normalize(one.view),
-                    one.surface.upperNormal,
-                    one.surface.lowerNormal,
+                    unit(one.light),
+                    unit(one.view),
+                    inFloat(one.surface.upperNormal),
+                    inFloat(one.surface.lowerNormal),
                     static_cast<float>(one.surface.thicknessNm / 1000.0)};
 }
 

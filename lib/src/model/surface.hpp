@@ -17,7 +17,7 @@ inline dvec4 thickness(const Material& m, dvec3 p)
     const double share = 0.5 + height * (0.75 - 0.25 * height * height);
     const dvec3 gradient = dvec3(noise) * (1.0 - height * height);
     const double thickness = glm::mix(m.thicknessLeastUm, m.thicknessMostUm, share);
-    return dvec4(gradient, thickness <= m.thicknessMostUm ? thickness : m.thicknessLeastUm);
+    return dvec4(gradient, thickness >= m.thicknessLeastUm ? std::fmin(thickness, m.thicknessMostUm) : m.thicknessLeastUm);
 }
 
 // nacre_lower_normal.glsl
