@@ -9,10 +9,10 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <nacre/block.hpp>
-#include <nacre/fringe_table.hpp>
 #include <nacre/glsl.hpp>
 
 #include "camera.hpp"
+#include "gl/fringe_texture.hpp"
 #include "gl/program.hpp"
 #include "shaders.hpp"
 
@@ -40,19 +40,6 @@ Result<GLuint> linkFor(const GlFunctions& gl, Quality quality)
     Result<GLuint> program = linkProgram(gl, meshVertexShader, *library + define + meshFragmentShader);
     if (program) gl.UniformBlockBinding(*program, gl.GetUniformBlockIndex(*program, "nacre_Block"), 0);
     return program;
-}
-
-GLuint makeFringeTable(const GlFunctions& gl, const FringeTable& table)
-{
-    GLuint texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, FringeTable::width, FringeTable::height, 0, GL_RGBA, GL_FLOAT, table.texels().data());
-    return texture;
 }
 
 // A framebuffer of one float colour and one depth buffer, freed with it.
@@ -98,7 +85,7 @@ Result<Renderer> Renderer::create(const Context& context, Scene scene)
     }
     Result<FringeTable> table = FringeTable::create();
     if (!table) return table.error();
-    renderer.fringeTable_ = makeFringeTable(gl, *table);
+    renderer.fringeTable_ = makeFringeTexture(gl, *table);
     gl.GenBuffers(1, &renderer.material_);
 
     for (const nacre::demo::Mesh& source : scene.meshes) {

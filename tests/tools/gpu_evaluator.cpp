@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <nacre/fringe_table.hpp>
+#include "gl/fringe_texture.hpp"
 
 namespace nacre::test {
 namespace {
@@ -64,20 +64,6 @@ void main()
 }
 )";
 
-GLuint makeFringeTable(const demo::GlFunctions& gl, const FringeTable& table)
-{
-    GLuint texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.ActiveTexture(GL_TEXTURE0 + fringeUnit);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, FringeTable::width, FringeTable::height, 0, GL_RGBA, GL_FLOAT, table.texels().data());
-    return texture;
-}
-
 }  // namespace
 
 Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context, FringeForm form)
@@ -89,7 +75,8 @@ Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context, FringeFo
     if (form == FringeForm::analytic) return evaluator;
     Result<FringeTable> table = FringeTable::create();
     if (!table) return table.error();
-    evaluator.fringeTable_ = makeFringeTable(context.gl(), *table);
+    context.gl().ActiveTexture(GL_TEXTURE0 + fringeUnit);
+    evaluator.fringeTable_ = demo::makeFringeTexture(context.gl(), *table);
     return evaluator;
 }
 
