@@ -5,7 +5,7 @@ set -eu
 shaders=$1
 work=$2
 mkdir -p "$work"
-order="config material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical quality"
+order="config material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical physical_light quality"
 checked=0
 for version in "330 core" "410 core" "450 core" "300 es" "310 es"; do
     for uniforms in uniforms uniform_block; do
