@@ -12,56 +12,100 @@
 // linear in sqrt (L0 L1), whose integral Cauchy and Schwarz bound by the lobes' own, between two ends that
 // both stay at or below 1: a^2 + G, since (1 - a^2)(1 - b^2) >= 0, and Airy. So lobes that are normalised
 // create no energy.
-//
-// After order M the sum is closed as a geometric series from an estimate of C_{M+1}: exact where the
-// fringes have not faded, and gone where they have. Cut off at M without it, one wavelength's
-// sum q^m C_m would lack up to |q|^{M+1} / (1 - |q|).
+
+#if NACRE_PHYSICAL && NACRE_SPECULAR
 
 // A film as one light meets it, one channel.
 struct nacre_Film {
-    float upper;        // weight of L0: mean of a^2
-    float lower;        // weight of L1: mean of G
-    vec2 fringe;        // G - tau of s and p, weight of q^m C_m
-    vec4 ratio;         // q of s (xy) and p (zw), complex
+    float upper;   // weight of L0: mean of a^2
+    float lower;   // weight of L1: mean of G
+    vec2 fringe;   // G - tau of s and p, weight of q^m C_m
+    vec2 inverse;  // 1 / (1 - |q|^2)
+#if NACRE_METAL
+    vec4 ratio;    // q of s (xy) and p (zw), complex
+#else
+    vec2 ratio;    // q of s and p
+#endif
 };
 
-// What both kinds of substrate share. a^2, |b|^2, q as above; crossing: tau.
-nacre_Film nacre_film(vec2 a, vec2 bSquared, vec4 ratio, vec2 crossing)
+// What both kinds of substrate share. a^2, |b|^2 as above; crossing: tau.
+void nacre_weigh(inout nacre_Film film, vec2 aSquared, vec2 bSquared, vec2 crossing)
 {
-    nacre_Film film;
     // 1 - |q|^2 vanishes only where nothing crosses, tau = 0; 1e-7 is its rounding.
-    vec2 lower = crossing * crossing * bSquared / max(1.0 - a * a * bSquared, 1e-7);
-    film.upper = 0.5 * dot(a, a);
+    film.inverse = nacre_inverses(max(1.0 - aSquared * bSquared, 1e-7));
+    vec2 lower = crossing * crossing * bSquared * film.inverse;
+    film.upper = 0.5 * (aSquared.x + aSquared.y);
     film.lower = 0.5 * (lower.x + lower.y);
     film.fringe = lower - crossing;
-    film.ratio = ratio;
-    return film;
 }
 
-// The fringes of a dielectric on a dielectric, sum (G - tau) q^m C_m, one channel: real throughout.
-// C_{M+1}: from cos((M+1) phi) = 2 cos phi cos Mphi - cos((M-1) phi), each part faded by the square root of what
-// divides the Gaussians exp(-m^2) of both sides; then on with the ratio q times that.
-// One tail for both polarisations, with the q of s, the larger one.
-float nacre_fringeSum(nacre_Film film, float c[NACRE_ORDERS], float coherence)
+// rho of a film, given its fringes sum (G - tau) Re q^m C_m over both polarisations.
+// Differs: the colours of a film can lie outside the primaries' gamut; neither end leaves [0, 1].
+vec3 nacre_filmReflectance(nacre_Film film, vec3 fringes, float rootUpper, float rootLower)
 {
+    vec3 bounded = min(fringes, 1.0 - film.upper - film.lower);
+    return max(film.upper * rootUpper * rootUpper + film.lower * rootLower * rootLower + bounded * (rootUpper * rootLower), 0.0);
+}
+
+#if NACRE_FRINGE_TABLE
+
+// The fringes from the table, all orders of them.
+vec3 nacre_fringeSum(sampler2D table, nacre_Film film, highp float path, highp float pathPerRadian)
+{
+    vec2 weight = film.fringe * film.inverse;
+#if NACRE_METAL
+    return weight.x * nacre_fringeOfRatio(table, path, film.ratio.xy, pathPerRadian) +
+           weight.y * nacre_fringeOfRatio(table, path, film.ratio.zw, pathPerRadian);
+#else
+    weight *= film.ratio * nacre_fringeScale;
+    float shift = (weight.x + weight.y) * (nacre_fringeShift / nacre_fringeScale);
+    return weight.x * nacre_fringeTexel(table, path, film.ratio.x, 0.0) + weight.y * nacre_fringeTexel(table, path, film.ratio.y, 0.0) - shift;
+#endif
+}
+
+#endif
+
+#if NACRE_SAMPLER_FREE
+
+// Without the table the sum is cut off after order M = NACRE_ORDERS and closed as a geometric series from an estimate
+// of C_{M+1}: exact where the fringes have not faded, and gone where they have. Cut off without it, one wavelength's
+// sum q^m C_m would lack up to |q|^{M+1} / (1 - |q|).
+
+// How much C_{M+1} has faded against what one wavelength would make of C_M and C_1: the square root of what
+// divides the Gaussians exp(-m^2) of both sides.
+float nacre_fade(float coherence)
+{
+    return NACRE_ORDERS == 2 ? coherence : pow(coherence, 2.0 / float(NACRE_ORDERS));
+}
+
+// Over a dielectric: real throughout. C_{M+1} from cos((M+1) phi) = 2 cos phi cos Mphi - cos((M-1) phi).
+// One tail for both polarisations, with the q of s, the larger one.
+vec3 nacre_fringeSum(nacre_Film film, nacre_Fringe c)
+{
+#if NACRE_METAL
     vec2 q = film.ratio.xz;
+#else
+    vec2 q = film.ratio;
+#endif
     vec2 power = film.fringe;
-    float sum = 0.0, last = 1.0, previous = 1.0;
+    vec3 sum = vec3(0.0), last = vec3(1.0), previous = vec3(1.0);
     for (int m = 0; m < NACRE_ORDERS; ++m) {
         power *= q;
-        sum += (power.x + power.y) * c[m];
+        sum += (power.x + power.y) * c.order[m];
         previous = last;
-        last = c[m];
+        last = c.order[m];
     }
     power *= q;
-    float fade = NACRE_ORDERS == 2 ? coherence : pow(coherence, 2.0 / float(NACRE_ORDERS));
-    float next = fade * (2.0 * c[0] * last - fade * previous);
+    float fade = nacre_fade(c.coherence);
+    vec3 next = fade * (2.0 * c.order[0] * last - fade * previous);
     float r = q.x * fade;
     // The denominator's bound is that of the whole series; curves with negative lobes can pass it.
     float whole = 1.0 - abs(q.x);
-    float tail = (next - r * last) / max(1.0 - 2.0 * r * c[0] + r * r, max(whole * whole, 1e-6));
+    vec3 tail = (next - r * last) / max(1.0 - 2.0 * r * c.order[0] + r * r, max(whole * whole, 1e-6));
     return sum + (power.x + power.y) * tail;
 }
+
+#if NACRE_METAL
 
 // The rest of one polarisation's complex series after its last term: next = (G - tau) q^{M+1} C_{M+1}.
 float nacre_fringeTail(vec2 next, vec2 ratio, float largest)
@@ -71,9 +115,8 @@ float nacre_fringeTail(vec2 next, vec2 ratio, float largest)
     return dot(next, d) / max(dot(d, d), max(whole * whole, 1e-6));
 }
 
-// The same over a metal, Re sum (G - tau) q^m C_m with q and C complex; here s and p have a tail each.
-// C_{M+1} = C_M C_1 times the fade.
-float nacre_fringeSumMetal(nacre_Film film, vec2 c[NACRE_ORDERS], float coherence)
+// Over a metal: q and C complex; here s and p have a tail each. C_{M+1} = C_M C_1 times the fade.
+float nacre_fringeSumMetal(nacre_Film film, nacre_Fringe cosine, nacre_Fringe sine, int channel)
 {
     vec2 qs = film.ratio.xy, qp = film.ratio.zw;
     vec2 powerS = vec2(film.fringe.x, 0.0), powerP = vec2(film.fringe.y, 0.0);
@@ -82,11 +125,10 @@ float nacre_fringeSumMetal(nacre_Film film, vec2 c[NACRE_ORDERS], float coherenc
     for (int m = 0; m < NACRE_ORDERS; ++m) {
         powerS = nacre_product(powerS, qs);
         powerP = nacre_product(powerP, qp);
-        sum += nacre_product(powerS + powerP, c[m]).x;
-        last = c[m];
+        last = vec2(cosine.order[m][channel], sine.order[m][channel]);
+        sum += nacre_product(powerS + powerP, last).x;
     }
-    float fade = NACRE_ORDERS == 2 ? coherence : pow(coherence, 2.0 / float(NACRE_ORDERS));
-    vec2 fadedFirst = fade * c[0];
+    vec2 fadedFirst = nacre_fade(cosine.coherence) * vec2(cosine.order[0][channel], sine.order[0][channel]);
     vec2 next = nacre_product(fadedFirst, last);
     vec2 nextS = nacre_product(nacre_product(powerS, qs), next);
     vec2 nextP = nacre_product(nacre_product(powerP, qp), next);
@@ -94,12 +136,9 @@ float nacre_fringeSumMetal(nacre_Film film, vec2 c[NACRE_ORDERS], float coherenc
            nacre_fringeTail(nextP, nacre_product(qp, fadedFirst), length(qp));
 }
 
-// rho of one channel. rootUpper, rootLower: sqrt L0, sqrt L1.
-// Differs: the colours of a film can lie outside the primaries' gamut; neither end leaves [0, 1].
-float nacre_filmReflectance(nacre_Film film, float fringes, float rootUpper, float rootLower)
-{
-    float bounded = min(fringes, 1.0 - film.upper - film.lower);
-    return max(film.upper * rootUpper * rootUpper + film.lower * rootLower * rootLower + bounded * rootUpper * rootLower, 0.0);
-}
+#endif
+#endif
+
+#endif
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef NACRE_BOUNDARY_GLSL
 #define NACRE_BOUNDARY_GLSL
 
+#if NACRE_PHYSICAL && NACRE_SPECULAR
+
 // Fresnel's equations at the two boundaries, one channel, exact: (s, p) in a vec2. Born & Wolf, Sec 1.5.
 // Cosines: cosTheta outside, cosRefracted in the layer, both to the boundary's normal. Denominators
 // are held above 1e-18, their products above 1e-30: they vanish at grazing incidence on a boundary that is
@@ -42,11 +44,14 @@ vec2 nacre_lowerAmplitudes(float substrate, float sineSquared, float cosRefracte
     return (g - w) * nacre_inverses(g + w);
 }
 
+#if NACRE_METAL
+
 // The same for a metal, (r2 / r1)^2 complex: amplitudes of s in xy, of p in zw, complex. An absorbed wave
 // goes as exp(i (n + i k) x), so the imaginary part is not negative.
 vec4 nacre_lowerAmplitudesMetal(vec2 substrate, float sineSquared, float cosRefracted)
 {
-    vec2 w = nacre_complexRoot(vec2(substrate.x - sineSquared, substrate.y));
+    float real = substrate.x - sineSquared;
+    vec2 w = nacre_complexRoot(vec2(substrate.y > 0.0 ? real : max(real, 0.0), substrate.y));  // as the dielectric's
     float w2 = dot(w, w);
     float g = cosRefracted;
     vec2 s = vec2(g * g - w2, -2.0 * g * w.y) / max((g + w.x) * (g + w.x) + w.y * w.y, 1e-18);
@@ -54,5 +59,9 @@ vec4 nacre_lowerAmplitudesMetal(vec2 substrate, float sineSquared, float cosRefr
     vec2 p = vec2(dot(substrate, substrate) * (g * g) - w2, 2.0 * g * (substrate.y * w.x - substrate.x * w.y));
     return vec4(s, p / max(dot(below, below), 1e-18));
 }
+
+#endif
+
+#endif
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef NACRE_COMPLEX_GLSL
 #define NACRE_COMPLEX_GLSL
 
+#if NACRE_PHYSICAL && NACRE_SPECULAR && NACRE_METAL
+
 // Complex numbers as vec2(real, imaginary).
 
 vec2 nacre_product(vec2 a, vec2 b)
@@ -17,5 +19,7 @@ vec2 nacre_complexRoot(vec2 a)
     float smaller = 0.5 * a.y / max(larger, 1e-18);
     return a.x >= 0.0 ? vec2(larger, smaller) : vec2(smaller, larger);
 }
+
+#endif
 
 #endif

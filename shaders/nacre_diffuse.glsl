@@ -29,7 +29,7 @@ vec3 nacre_meanRefractedCosine(vec3 eta, vec3 oneMinusEtaSquared, vec3 normalRef
 // rho_d = 1 + 2 cos(4pi r1 d / lambda) sqrt(Td (1 - Td)): Eq 16, with the phase of Eq 15.
 // diffuseFringe is that root's double, from the host; cosPhase = cos(2pi r1 d / lambda), nacre_cosPhase.
 // As a sum of two terms that are not negative: 1 - 2 sqrt(...) is at least 0, since Td (1 - Td) <= 1/4.
-vec3 nacre_diffuseCoefficient(vec3 diffuseFringe, vec3 cosPhase)
+vec3 nacre_diffuseCoefficient(nacre_Channels diffuseFringe, vec3 cosPhase)
 {
     return (1.0 - diffuseFringe) + 2.0 * diffuseFringe * (cosPhase * cosPhase);
 }

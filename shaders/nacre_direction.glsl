@@ -6,13 +6,19 @@
 // The test is one that NaN fails: max() may hide a NaN, the sum of squares does not.
 // A vector whose squared length is 1 but for the rounding of its components and of the sum (four units in
 // the last place, 4.8e-7) is returned as it is: dividing it once more would only round its direction.
+// Without NACRE_STABLE_LOBES vectors of a length within 1e-19 and 1e19 have a direction.
 vec3 nacre_direction(vec3 a)
 {
+#if NACRE_STABLE_LOBES
     if (abs(dot(a, a) - 1.0) <= 4.8e-7) return a;
     float largest = max(max(abs(a.x), abs(a.y)), abs(a.z));
     vec3 scaled = a / largest;
     float squared = dot(scaled, scaled);
     return squared >= 1.0 && squared <= 3.0 ? scaled * (1.0 / sqrt(squared)) : vec3(0.0);
+#else
+    float squared = dot(a, a);
+    return squared > 0.0 && squared < 3e38 ? a * inversesqrt(squared) : vec3(0.0);
+#endif
 }
 
 // Two unit vectors that complete the unit vector n to a right-handed frame (x, y, n).

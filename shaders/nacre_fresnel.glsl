@@ -3,7 +3,7 @@
 
 // Reflectance F of the upper boundary. Schlick 1994; Granier & Heidrich 2003, Eq 7.
 // cosTheta in [0, 1]. Differs: Eq 10 prints F(i), read as F(-i) as in Eq 6.
-vec3 nacre_reflectance(vec3 normalReflectance, float cosTheta)
+nacre_Channels nacre_reflectance(nacre_Channels normalReflectance, float cosTheta)
 {
     float m = 1.0 - cosTheta;
     float m2 = m * m;
@@ -24,9 +24,19 @@ vec3 nacre_transmittanceShape(vec3 cosTheta)
 
 // Square of the cosine inside the layer, by Snell's law; negative: total reflection.
 // cosTheta is the cosine outside, to the upper normal.
-vec3 nacre_refractedCosineSquared(vec3 etaSquared, vec3 oneMinusEtaSquared, float cosTheta)
+nacre_Channels nacre_refractedCosineSquared(nacre_Channels etaSquared, nacre_Channels oneMinusEtaSquared, float cosTheta)
 {
     return oneMinusEtaSquared + etaSquared * (cosTheta * cosTheta);
+}
+
+// The cosine itself; 0 for total reflection.
+nacre_Channels nacre_refractedCosine(nacre_Channels cosSquared)
+{
+#if NACRE_TOTAL_REFLECTION
+    return sqrt(max(cosSquared, 0.0));
+#else
+    return sqrt(cosSquared);
+#endif
 }
 
 #endif

@@ -4,6 +4,8 @@
 // The normal of the lower boundary [n1]: Granier & Heidrich 2003, Sec 3.2 and 6.2.
 // All results are unit vectors where upperNormal is one.
 
+#if NACRE_LOWER_NORMAL != NACRE_LOWER_NORMAL_PARALLEL
+
 // Sec 6.2, Figure 3: turned away from the upper normal by one angle everywhere, towards the tangent
 // turned by the azimuth. handedness: +1 or -1, the tangent.w of glTF.
 vec3 nacre_lowerNormalConstant(nacre_Material m, vec3 upperNormal, vec3 tangent, float handedness)
@@ -28,11 +30,15 @@ vec3 nacre_lowerNormalGradient(nacre_Material m, vec3 upperNormal, vec3 gradient
     return nacre_direction(upperNormal * m.deviationCos + (along * m.azimuthCos + across * m.azimuthSin) * m.deviationSin);
 }
 
+#if NACRE_LOWER_NORMAL == NACRE_LOWER_NORMAL_INDEPENDENT || NACRE_LOWER_NORMAL == NACRE_LOWER_NORMAL_ANY
 // Sec 3.2: independent of the thickness: the same lean along the gradient of noise of its own. The
 // seed is moved far beyond the octaves that the thickness uses.
 vec3 nacre_independentGradient(nacre_Material m, vec3 p)
 {
     return nacre_turbulence(p * m.noiseFrequency, m.noiseOctaves, m.noiseSeed + 7919).xyz;
 }
+#endif
+
+#endif
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef NACRE_NOISE_GLSL
 #define NACRE_NOISE_GLSL
 
+#if NACRE_THICKNESS == NACRE_THICKNESS_NOISE || NACRE_LOWER_NORMAL >= NACRE_LOWER_NORMAL_INDEPENDENT
+
 // Gradient noise in space, after Perlin 1985 ("An Image Synthesizer", the paper's [14]) with the fade
 // 6t^5 - 15t^4 + 10t^3 and the twelve edge gradients of Perlin 2002 ("Improving noise").
 // Differs: an integer hash stands in for the permutation table, which needs no memory and takes a
@@ -83,5 +85,7 @@ vec4 nacre_turbulence(vec3 p, int octaves, int seed)
     }
     return sum / sqrt(max(total, 1.0));
 }
+
+#endif
 
 #endif

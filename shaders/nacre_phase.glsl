@@ -39,12 +39,22 @@ nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp 
 #endif
 }
 
-// OPD / lambda with whole cycles left out, between -1 and 1 or a little beyond; the cosine asks for no more.
-// cosSum: cosTi + cosTo.
-highp vec3 nacre_pathCycles(nacre_Path path, highp vec3 cosSum)
+// The same from the host's head and tail of it, where the thickness is constant.
+nacre_Path nacre_constantPath(highp vec3 head, highp vec3 tail)
 {
 #if NACRE_SPLIT_PHASE
-    highp vec3 cosHead = nacre_head(cosSum);
+    return nacre_Path(head, tail);
+#else
+    return nacre_Path(head + tail, vec3(0.0));
+#endif
+}
+
+// OPD / lambda with whole cycles left out, between -1 and 1 or a little beyond; the cosine asks for no more.
+// cosSum: cosTi + cosTo.
+highp vec3 nacre_pathCycles(nacre_Path path, highp nacre_Channels cosSum)
+{
+#if NACRE_SPLIT_PHASE
+    highp nacre_Channels cosHead = nacre_head(cosSum);
     highp vec3 product = path.head * cosHead;  // exact, and so is what is left of it
     return (product - floor(product + 0.5)) + (path.head * (cosSum - cosHead) + path.tail * cosSum);
 #else
@@ -59,9 +69,13 @@ highp vec3 nacre_pathCycles(nacre_Path path, highp vec3 cosSum)
 // y^2 (minimax on [0, 1/4], residual 6e-9 relative), the same on every driver.
 vec3 nacre_cosPhase(highp vec3 cycles)
 {
+#if NACRE_POLYNOMIAL_COSINE
     highp vec3 y = 0.5 - abs(cycles - floor(cycles + 0.5));
     highp vec3 z = y * y;
     return y * (3.14159265 + z * (-5.16771057 + z * (2.55008231 + z * (-0.598308094 + z * 0.0776759721))));
+#else
+    return cos(3.14159265 * cycles);
+#endif
 }
 
 #endif

@@ -4,94 +4,125 @@
 // Quality `physical`, second half: what a light adds to the view of nacre_physical.glsl, the film of
 // nacre_airy.glsl between the two lobes in three channels.
 
-// The film of one channel. crossing: tau of s and p. The angle within the film is that of the half vector's,
+#if NACRE_PHYSICAL && NACRE_SPECULAR
+
+// The film of one channel. The angle within the film is that of the half vector's,
 // refracted: light and viewer enter alike, and in the mirror direction it is the ray's own.
 // Below the outside's index, beyond the critical angle: a^2 = 1, and nothing else.
-nacre_Film nacre_filmOf(float eta, float oneMinusEtaSquared, vec2 substrate, int kind, float cosHalfSquared, vec2 crossing)
+nacre_Film nacre_filmOf(nacre_Material m, nacre_PhysicalTerms t, int channel)
 {
-    float cosSquared = oneMinusEtaSquared + eta * eta * cosHalfSquared;
-    float sineSquared = eta * eta * (1.0 - cosHalfSquared);
+    float eta = nacre_channel(m.eta, channel);
+    float etaSquared = nacre_channel(m.etaSquared, channel);
+    float oneMinusEtaSquared = nacre_channel(m.oneMinusEtaSquared, channel);
+    vec2 crossing = vec2(nacre_channel(t.crossingS, channel), nacre_channel(t.crossingP, channel));
+
+    float cosSquared = oneMinusEtaSquared + etaSquared * t.cosHalfSquared;
+    float sineSquared = etaSquared * (1.0 - t.cosHalfSquared);
     float cosRefracted = sqrt(max(cosSquared, 0.0));
-    vec2 a = nacre_upperAmplitudes(eta, oneMinusEtaSquared, sqrt(cosHalfSquared), cosRefracted);
+    vec2 a = nacre_upperAmplitudes(eta, oneMinusEtaSquared, sqrt(t.cosHalfSquared), cosRefracted);
+#if NACRE_TOTAL_REFLECTION
     bool reflectsAll = cosSquared < 0.0;
     a = reflectsAll ? vec2(1.0) : a;
     crossing = reflectsAll ? vec2(0.0) : crossing;
-    if (kind == NACRE_SUBSTRATE_METAL) {
-        vec4 b = nacre_lowerAmplitudesMetal(substrate, sineSquared, cosRefracted);
-        return nacre_film(a, vec2(dot(b.xy, b.xy), dot(b.zw, b.zw)), -a.xxyy * b, crossing);
-    }
-    vec2 b = nacre_lowerAmplitudes(substrate.x, sineSquared, cosRefracted);
-    vec2 q = -a * b;
-    return nacre_film(a, b * b, vec4(q.x, 0.0, q.y, 0.0), crossing);
+#endif
+    nacre_Film film;
+#if NACRE_METAL
+    vec4 b = nacre_lowerAmplitudesMetal(vec2(m.substrateReal[channel], m.substrateImaginary[channel]), sineSquared, cosRefracted);
+    film.ratio = -a.xxyy * b;
+    nacre_weigh(film, a * a, vec2(dot(b.xy, b.xy), dot(b.zw, b.zw)), crossing);
+#else
+    vec2 b = nacre_lowerAmplitudes(m.substrateReal[channel], sineSquared, cosRefracted);
+    film.ratio = -a * b;
+    nacre_weigh(film, a * a, b * b, crossing);
+#endif
+    return film;
 }
 
-// rho of one channel; cosine, sine: that channel's fringes, sine for metals alone.
-float nacre_filmChannel(nacre_Film film, int kind, float cosine[NACRE_ORDERS], float sine[NACRE_ORDERS], float coherence,
-                        float rootUpper, float rootLower)
-{
-    float fringes;
-    if (kind == NACRE_SUBSTRATE_METAL) {
-        vec2 c[NACRE_ORDERS];
-        for (int m = 0; m < NACRE_ORDERS; ++m) c[m] = vec2(cosine[m], sine[m]);
-        fringes = nacre_fringeSumMetal(film, c, coherence);
-    } else {
-        fringes = nacre_fringeSum(film, cosine, coherence);
-    }
-    return nacre_filmReflectance(film, fringes, rootUpper, rootLower);
-}
+// The specular part rho, a BRDF without the cosine. Where all channels have one film it is computed once.
 
-// The film in three channels: the specular part rho, a BRDF without the cosine.
-vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalTerms t, nacre_Fringe cosine, nacre_Fringe sine)
-{
-    vec3 rho;
-    for (int channel = 0; channel < 3; ++channel) {
-        nacre_Film film = nacre_filmOf(m.eta[channel], m.oneMinusEtaSquared[channel],
-                                       vec2(m.substrateReal[channel], m.substrateImaginary[channel]), m.substrate,
-                                       t.cosHalfSquared, vec2(t.crossingS[channel], t.crossingP[channel]));
-        float c[NACRE_ORDERS], s[NACRE_ORDERS];
-        for (int order = 0; order < NACRE_ORDERS; ++order) {
-            c[order] = cosine.order[order][channel];
-            s[order] = sine.order[order][channel];
-        }
-        rho[channel] = nacre_filmChannel(film, m.substrate, c, s, cosine.coherence[channel], t.rootUpper, t.rootLower[channel]);
-    }
-    return rho;
-}
-
-// The specular part rho, a BRDF without the cosine.
-vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
-{
-    nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
-    nacre_Fringe cosine = nacre_cosineFringe(t.path);
-    nacre_Fringe sine = cosine;
-    if (m.substrate == NACRE_SUBSTRATE_METAL) sine = nacre_sineFringe(t.path);
-    return nacre_filmSpecular(m, t, cosine, sine);
-}
-
+#if NACRE_FRINGE_TABLE
 vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
 {
     nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
-    nacre_Fringe cosine = nacre_cosineFringe(fringeTable, t.path);
-    nacre_Fringe sine = cosine;
-    if (m.substrate == NACRE_SUBSTRATE_METAL) sine = nacre_sineFringe(fringeTable, t.path);
-    return nacre_filmSpecular(m, t, cosine, sine);
+#if NACRE_SUBSTRATE_CHANNELS
+    vec3 rho;
+    for (int channel = 0; channel < 3; ++channel) {
+        nacre_Film film = nacre_filmOf(m, t, channel);
+        float pathPerRadian = 0.0;
+#if NACRE_METAL
+        pathPerRadian = w.pathPerRadian[channel];
+#endif
+        vec3 fringes = nacre_fringeSum(fringeTable, film, nacre_channel(t.path, channel), pathPerRadian);
+        rho[channel] = nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel))[channel];
+    }
+    return rho;
+#else
+    nacre_Film film = nacre_filmOf(m, t, 0);
+    return nacre_filmReflectance(film, nacre_fringeSum(fringeTable, film, t.path, 0.0), t.rootUpper, t.rootLower);
+#endif
 }
+#endif
+
+#if NACRE_SAMPLER_FREE
+vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
+{
+    nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
+#if NACRE_SUBSTRATE_CHANNELS
+    vec3 rho;
+    for (int channel = 0; channel < 3; ++channel) {
+        nacre_Film film = nacre_filmOf(m, t, channel);
+        highp float path = nacre_channel(t.path, channel);
+        nacre_Fringe cosine = nacre_cosineFringe(path);
+        vec3 fringes;
+#if NACRE_METAL
+        if (m.substrate == NACRE_SUBSTRATE_METAL) fringes = vec3(nacre_fringeSumMetal(film, cosine, nacre_sineFringe(path), channel));
+        else fringes = nacre_fringeSum(film, cosine);
+#else
+        fringes = nacre_fringeSum(film, cosine);
+#endif
+        rho[channel] = nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel))[channel];
+    }
+    return rho;
+#else
+    nacre_Film film = nacre_filmOf(m, t, 0);
+    return nacre_filmReflectance(film, nacre_fringeSum(film, nacre_cosineFringe(t.path)), t.rootUpper, t.rootLower);
+#endif
+}
+#endif
+
+#endif
+
+#if NACRE_PHYSICAL
 
 // What a light of radiance 1 adds to the pixel: both parts, weighted as in Sec 6, times the cosine.
-vec3 nacre_physicalWeighted(nacre_Material m, nacre_PhysicalView w, vec3 l, vec3 specular)
-{
-    float cosTheta = w.layer.cosTheta > 0.0 ? clamp(dot(w.layer.upperNormal, l), 0.0, 1.0) : 0.0;
-    return (m.specularWeight * specular + m.diffuseWeight * w.diffuse) * cosTheta;
-}
+// Where the light does not reach, nothing is computed.
 
+#if NACRE_SAMPLER_FREE
 vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l)
 {
-    return nacre_physicalWeighted(m, w, l, nacre_physicalSpecular(m, w, l));
+    float cosTheta = min(dot(w.layer.upperNormal, l), 1.0);
+    if (!(cosTheta > 0.0 && w.layer.cosTheta > 0.0)) return vec3(0.0);
+    vec3 both = w.diffuse;
+#if NACRE_SPECULAR
+    both += m.specularWeight * nacre_physicalSpecular(m, w, l);
+#endif
+    return both * cosTheta;
 }
+#endif
 
+#if NACRE_FRINGE_TABLE
 vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
 {
-    return nacre_physicalWeighted(m, w, l, nacre_physicalSpecular(m, w, l, fringeTable));
+    float cosTheta = min(dot(w.layer.upperNormal, l), 1.0);
+    if (!(cosTheta > 0.0 && w.layer.cosTheta > 0.0)) return vec3(0.0);
+    vec3 both = w.diffuse;
+#if NACRE_SPECULAR
+    both += m.specularWeight * nacre_physicalSpecular(m, w, l, fringeTable);
+#endif
+    return both * cosTheta;
 }
+#endif
+
+#endif
 
 #endif

@@ -1,17 +1,10 @@
 #ifndef NACRE_PHYSICAL_LOBES_GLSL
 #define NACRE_PHYSICAL_LOBES_GLSL
 
-// The two lobes of Eq 6 and 10 as quality `physical` takes them: as roots, which the fringes multiply,
-// and normalised where the material asks for it.
+// What normalises the two lobes of quality `physical`, where the material asks for it. They enter as roots,
+// which the fringes multiply.
 
-// 1 - <r_ti, -t_o> between parallel boundaries: Eq 10 without its tilt.
-// cosTi - cosTo as a quotient: the difference of the roots would cancel.
-vec3 nacre_lowerLobeOneMinusParallel(vec3 etaSquared, float halfAcrossSquared, float cosThetaI, float cosThetaO, vec3 cosRefractedSum)
-{
-    float difference = (cosThetaI - cosThetaO) * (cosThetaI + cosThetaO);
-    vec3 along = etaSquared * difference / max(cosRefractedSum, 1e-18);
-    return 0.5 * (etaSquared * halfAcrossSquared + along * along);
-}
+#if NACRE_PHYSICAL && NACRE_SPECULAR && NACRE_NORMALISED
 
 // What a Phong lobe cos^e gains when it is normalised, apart from the host's (e + 2) / 2pi: one over
 // this. Differs: (e + 2) / 2pi is exact at normal incidence alone, towards the horizon a lobe loses half
@@ -32,11 +25,13 @@ vec3 nacre_lobeFlattening(float exponent, vec3 cosLarger)
 // times those outside. A lobe that the tilt turns away from its own mirror direction, towards the normal,
 // is flattened by less than it gains: by up to (e + 2) / (e + 1), which is taken off as the tilt grows
 // to half the lobe's width, 1 / sqrt (e + 1). At e = 0 there is no direction to turn away from.
-// upperAcross: n0 in the plane across n1, as long as the sine of the tilt.
-vec3 nacre_lowerLobeScale(vec3 eta, vec2 upperAcross, float exponent)
+// sineOfTilt: of the angle between the boundaries.
+nacre_Channels nacre_lowerLobeScale(nacre_Channels eta, float sineOfTilt, float exponent)
 {
-    float apart = min(2.0 * length(upperAcross) * sqrt(exponent + 1.0), 1.0) * min(4.0 * exponent, 1.0);
+    float apart = min(2.0 * sineOfTilt * sqrt(exponent + 1.0), 1.0) * min(4.0 * exponent, 1.0);
     return eta * sqrt((exponent + 2.0 - apart) / (exponent + 2.0));
 }
+
+#endif
 
 #endif

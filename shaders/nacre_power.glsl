@@ -1,6 +1,7 @@
 #ifndef NACRE_POWER_GLSL
 #define NACRE_POWER_GLSL
 
+#if NACRE_STABLE_LOBES
 // log(1 - u) for 0 <= u < 1, to about 2e-7 relative: a Phong lobe of exponent e reads its cosine
 // as x^e = exp(e log x), and e times the rounding of 1 - u would be its error.
 // Below 1/2: log(1 - u) = -2 atanh(s), s = u / (2 - u) <= 1/3, as the odd series
@@ -20,8 +21,11 @@ vec3 nacre_logOneMinus(vec3 u)
 {
     return vec3(nacre_logOneMinus(u.x), nacre_logOneMinus(u.y), nacre_logOneMinus(u.z));
 }
+#endif
 
 // max(1 - u, 0)^exponent, where 0^0 = 1 (Eq 12 is derived that way).
+// Without NACRE_STABLE_LOBES by pow(), above 1e-30, where it has a value; 0^0 is 1 there too.
+#if NACRE_STABLE_LOBES
 float nacre_powerOneMinus(float u, float exponent)
 {
     float beyond = exponent > 0.0 ? 0.0 : 1.0;
@@ -33,5 +37,16 @@ vec3 nacre_powerOneMinus(vec3 u, float exponent)
     return vec3(nacre_powerOneMinus(u.x, exponent), nacre_powerOneMinus(u.y, exponent),
                 nacre_powerOneMinus(u.z, exponent));
 }
+#else
+float nacre_powerOneMinus(float u, float exponent)
+{
+    return pow(max(1.0 - u, 1e-30), exponent);
+}
+
+vec3 nacre_powerOneMinus(vec3 u, float exponent)
+{
+    return pow(max(1.0 - u, 1e-30), vec3(exponent));
+}
+#endif
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef NACRE_THICKNESS_GLSL
 #define NACRE_THICKNESS_GLSL
 
+#if NACRE_THICKNESS == NACRE_THICKNESS_NOISE
+
 // Thickness of the layer at a point: Granier & Heidrich 2003, Sec 3.2 and 6.1, Perlin noise between
 // two bounds. Value in w, in um; in xyz the gradient of the noise behind it per feature, whose part
 // along a surface is 1 in the root mean square for one octave: what the lower normal takes (a gradient in
@@ -23,5 +25,7 @@ vec4 nacre_thickness(nacre_Material m, vec3 p)
     // exceed the upper bound by its rounding.
     return vec4(gradient, thickness >= m.thicknessLeastUm ? min(thickness, m.thicknessMostUm) : m.thicknessLeastUm);
 }
+
+#endif
 
 #endif

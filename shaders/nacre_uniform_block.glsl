@@ -1,9 +1,10 @@
 #ifndef NACRE_UNIFORM_BLOCK_GLSL
 #define NACRE_UNIFORM_BLOCK_GLSL
 
-// The material as one std140 block, nacre::Block on the host. Either this file or
-// nacre_uniforms.glsl declares the names that nacre_material_from_uniforms.glsl reads.
-layout(std140) uniform nacre_Block {
+// Materials as an array in one std140 block, nacre::Block each on the host. The layout is the same for every shader,
+// so that materials of different needs share a buffer. Either this file or nacre_uniforms.glsl has what
+// nacre_material_from_uniforms.glsl reads.
+struct nacre_Packed {
     vec3 nacre_u_eta;
     float nacre_u_upperExponent;
     vec3 nacre_u_etaSquared;
@@ -34,6 +35,19 @@ layout(std140) uniform nacre_Block {
     int nacre_u_substrate;
     vec3 nacre_u_diffuseAlbedo;
     int nacre_u_lobes;
+    vec3 nacre_u_diffuse;
+    float nacre_u_thicknessUm;
+    vec3 nacre_u_pathHead;
+    float nacre_u_unused0;
+    vec3 nacre_u_pathTail;
+    float nacre_u_unused1;
+};
+
+#ifndef NACRE_BLOCK_LAYOUT
+#define NACRE_BLOCK_LAYOUT layout(std140)
+#endif
+NACRE_BLOCK_LAYOUT uniform nacre_Block {
+    nacre_Packed nacre_packed[NACRE_MATERIALS];
 };
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <nacre/validate.hpp>
 
-#include "model/material.hpp"
+#include "model/layered.hpp"
+#include "model/physical.hpp"
 
 namespace nacre {
 namespace {
@@ -24,9 +25,21 @@ double head(double value)
     return std::ldexp(std::round(std::ldexp(fraction, 12)), exponent - 12);
 }
 
+// What nacre_thickness gives where there is no noise; with noise it means something where the bounds are equal.
+double constantThicknessUm(const Material& material)
+{
+    return 0.5 * (material.thicknessLeastNm + material.thicknessMostNm) / 1000.0;
+}
+
+glm::dvec3 paperDiffuse(const model::Material& m, double thicknessUm)
+{
+    const glm::dvec3 cosPhase = model::cosPhase(model::pathCycles(model::path(m.cyclesPerUm, thicknessUm), glm::dvec3(2.0)));
+    return m.diffuseWeight * model::diffuseCoefficient(m.diffuseFringe, cosPhase);
+}
+
 }  // namespace
 
-Result<Block> pack(const Material& material)
+Result<Block> pack(const Material& material, const FringeTable* fringeTable)
 {
     const std::vector<Fault> faults = validate(material);
     if (!faults.empty()) return Error{"nacre::pack(): " + faults.front().message};
@@ -65,6 +78,14 @@ Result<Block> pack(const Material& material)
     block.substrate = m.substrate;
     store(block.diffuseAlbedo, m.diffuseAlbedo);
     block.lobes = m.lobes;
+
+    const double thicknessUm = constantThicknessUm(material);
+    const glm::dvec3 cycles = m.cyclesPerUm * thicknessUm;
+    const glm::dvec3 pathHead(head(cycles.r), head(cycles.g), head(cycles.b));
+    store(block.diffuse, material.quality == Quality::physical ? model::physicalDiffuse(m, thicknessUm, fringeTable) : paperDiffuse(m, thicknessUm));
+    block.thicknessUm = static_cast<float>(thicknessUm);
+    store(block.pathHead, pathHead);
+    store(block.pathTail, cycles - pathHead);
     return block;
 }
 

@@ -55,7 +55,7 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
     const model::Material m = model::derive(material);
     const model::Surface s{surface.upperNormal, surface.lowerNormal, surface.thicknessNm / 1000.0};
     const model::PhysicalView physical = model::physicalView(m, s, view, fringeTable);
-    const model::View& w = physical.layer;
+    const model::View w = model::view(m, s, view);
     const model::Terms t = model::terms(m, w, light);
 
     Evaluation e;
@@ -63,17 +63,20 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
         e.rho = model::interference(t.sqrtR, t.sqrtT, model::cosPhase(t.cycles));
         e.R = t.sqrtR * t.sqrtR;
         e.T = t.sqrtT * t.sqrtT;
-        e.diffuse = w.diffuse;
+        const glm::dvec3 cosPhase = model::cosPhase(model::pathCycles(w.path, glm::dvec3(2.0)));
+        e.diffuse = w.cosTheta > 0.0 ? model::diffuseCoefficient(m.diffuseFringe, cosPhase) : glm::dvec3(0.0);
         e.shaded = model::light(m, w, light);
     } else {
         const model::PhysicalTerms p = model::physicalTerms(m, physical, light);
-        e.rho = model::physicalSpecular(m, p, fringeTable);
+        e.rho = model::physicalSpecular(m, physical, p, fringeTable);
         for (int channel = 0; channel < 3; ++channel) {
             const model::Film film = model::filmOf(m, p, channel);
             e.R[channel] = film.upper * p.rootUpper * p.rootUpper;
             e.T[channel] = film.lower * p.rootLower[channel] * p.rootLower[channel];
         }
-        e.diffuse = physical.diffuse;
+        model::Material unweighted = m;
+        unweighted.diffuseWeight = 1.0;
+        e.diffuse = w.cosTheta > 0.0 ? model::physicalDiffuse(unweighted, s.thicknessUm, fringeTable) : glm::dvec3(0.0);
         e.shaded = model::physicalWeighted(m, physical, light, e.rho);
     }
     const double cosTheta = glm::clamp(dot(w.upperNormal, light), 0.0, 1.0);

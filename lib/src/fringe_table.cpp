@@ -18,7 +18,7 @@ namespace {
 using Spectrum = std::array<glm::dvec3, data::cie1931.size()>;
 
 // nacre_fringeTexel's code and back.
-constexpr double scale = 255.0 / 64.0;
+constexpr double scale = 255.0 / 55.0, shift = 127.0 / 55.0;
 
 glm::dvec3 toXyz(glm::dvec2 xy)
 {
@@ -56,22 +56,57 @@ Spectrum curves(const FringeOptions& o)
     return s;
 }
 
-// What one texel holds: C of three channels and of the luminance.
-struct Fringes {
-    std::array<std::complex<double>, 3> channel{};
-    std::complex<double> luminance;
-};
+// C(x) of three channels by steps of 1 nm; linear between them it errs by 3e-5 at most.
+using Fringe = std::array<std::complex<double>, 3>;
+constexpr double fringeStepUm = 0.001;
 
-Fringes fringesAt(const Spectrum& s, glm::dvec3 luminance, double pathUm)
+std::vector<Fringe> fringesTo(const Spectrum& s, double mostUm)
 {
-    Fringes f;
+    std::vector<Fringe> fringes(static_cast<std::size_t>(std::lround(mostUm / fringeStepUm)) + 2);
     for (std::size_t i = 0; i < s.size(); ++i) {
         const double wavelengthUm = (data::cie1931FirstNm + static_cast<double>(i)) / 1000.0;
-        const std::complex<double> wave = std::polar(1.0, glm::two_pi<double>() * pathUm / wavelengthUm);
-        for (int channel = 0; channel < 3; ++channel) f.channel[static_cast<std::size_t>(channel)] += s[i][channel] * wave;
-        f.luminance += dot(luminance, s[i]) * wave;
+        const std::complex<double> turn = std::polar(1.0, glm::two_pi<double>() * fringeStepUm / wavelengthUm);
+        std::complex<double> wave = 1.0;
+        for (Fringe& fringe : fringes) {
+            for (int channel = 0; channel < 3; ++channel) fringe[static_cast<std::size_t>(channel)] += s[i][channel] * wave;
+            wave *= turn;
+        }
     }
-    return f;
+    return fringes;
+}
+
+// (1 - q²) Σ_{m>=1} q^{m-1} Re e^{i m phase} C(m x). Terms beyond the fringes' end have nothing left of their contrast.
+glm::dvec3 sumOfHarmonics(const std::vector<Fringe>& fringes, double pathUm, double q, double phase)
+{
+    glm::dvec3 sum(0.0);
+    const std::complex<double> turn = std::polar(1.0, phase);
+    std::complex<double> wave = turn;
+    double power = 1.0 - q * q;
+    double at = pathUm / fringeStepUm;
+    for (double step = at; at < static_cast<double>(fringes.size() - 1) && std::fabs(power) > 1e-7; at += step) {
+        const auto left = static_cast<std::size_t>(at);
+        const double share = at - static_cast<double>(left);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const std::complex<double> fringe = (1.0 - share) * fringes[left][channel] + share * fringes[left + 1][channel];
+            sum[static_cast<int>(channel)] += power * (wave.real() * fringe.real() - wave.imag() * fringe.imag());
+        }
+        power *= q;
+        wave *= turn;
+    }
+    return sum;
+}
+
+// The path of a column: in squares, since short paths have the sharper fringes.
+double pathOf(int column)
+{
+    const double root = static_cast<double>(column) / (FringeTable::width - 1);
+    return FringeTable::rangeUm * root * root;
+}
+
+// The ratio of a row. At the ends, ±1, the sum would be infinite at one path and 0 at all others; nothing reflects so.
+double ratioOf(int row)
+{
+    return std::clamp(2.0 * row / (FringeTable::rows - 1) - 1.0, -0.99, 0.99);
 }
 
 bool isChromaticity(glm::dvec2 xy)
@@ -105,24 +140,23 @@ Result<FringeTable> FringeTable::create(const FringeOptions& options)
 {
     if (const std::string fault = faultOf(options); !fault.empty()) return Error{"nacre::FringeTable::create(): " + fault};
     const Spectrum s = curves(options);
-    const glm::dmat3 primaries = rgbToXyz(options);
-    const glm::dvec3 luminance(primaries[0].y, primaries[1].y, primaries[2].y);
+    // Three times the range: what is beyond is below 1e-4.
+    const std::vector<Fringe> fringes = fringesTo(s, 3.0 * rangeUm);
 
     FringeTable table;
-    table.texels_.resize(static_cast<std::size_t>(width) * height * 4);
-    for (int x = 0; x < width; ++x) {
-        // The last texel is 0: beyond the table, where it is repeated, a layer has no fringes.
-        const Fringes f = x + 1 < width ? fringesAt(s, luminance, rangeUm * x / (width - 1)) : Fringes{};
-        for (int row = 0; row < height; ++row) {
-            for (std::size_t channel = 0; channel < 4; ++channel) {
-                const std::complex<double> c = channel < 3 ? f.channel[channel] : std::abs(f.luminance);
-                const double part = row == 0 || channel == 3 ? c.real() : c.imag();
-                const double stored = (part + 2.0) / scale;
+    table.texels_.assign(static_cast<std::size_t>(width) * height * 4, 1.0F);
+    for (int row = 0; row < height; ++row) {
+        const double ratio = ratioOf(row % rows), phase = glm::pi<double>() / phases * (row / rows);
+        for (int x = 0; x < width; ++x) {
+            // The last texel is 0: beyond the table, where it is repeated, a layer has no fringes.
+            const glm::dvec3 sum = x + 1 < width ? sumOfHarmonics(fringes, pathOf(x), ratio, phase) : glm::dvec3(0.0);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double stored = (sum[channel] + shift) / scale;
                 if (!(stored >= 0.0 && stored <= 1.0)) {
-                    return Error{"nacre::FringeTable::create(): expected curves whose fringes stay within -2 and 1.98, got " + std::to_string(part) +
+                    return Error{"nacre::FringeTable::create(): expected curves whose fringes stay within -2.3 and 2.3, got " + std::to_string(sum[channel]) +
                                  "; are the primaries too close to each other for this light?"};
                 }
-                table.texels_[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(x)) * 4 + channel] = static_cast<float>(stored);
+                table.texels_[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(x)) * 4 + static_cast<std::size_t>(channel)] = static_cast<float>(stored);
             }
         }
     }
@@ -137,18 +171,24 @@ std::vector<std::uint8_t> FringeTable::bytes() const
     return bytes;
 }
 
-glm::dvec4 FringeTable::look(double pathUm, Row row) const noexcept
+glm::dvec3 FringeTable::look(double pathUm, double ratio, int phase) const noexcept
 {
-    const double x = std::fmin(std::fmax(pathUm, 0.0) / rangeUm, 1.0) * (width - 1);
-    const auto left = static_cast<std::size_t>(std::fmin(std::floor(x), width - 2.0));
-    const double share = x - static_cast<double>(left);
-    const float* a = texels_.data() + (static_cast<std::size_t>(row) * width + left) * 4;
-    glm::dvec4 c;
-    for (int channel = 0; channel < 4; ++channel) {
-        const double first = static_cast<double>(a[channel]), second = static_cast<double>(a[channel + 4]);
-        c[channel] = (first + (second - first) * share) * scale - 2.0;
+    const double x = std::sqrt(std::clamp(pathUm / rangeUm, 0.0, 1.0)) * (width - 1);
+    const double y = std::clamp(0.5 * ratio + 0.5, 0.0, 1.0) * (rows - 1);
+    const int left = static_cast<int>(std::fmin(x, width - 2.0)), below = static_cast<int>(std::fmin(y, rows - 2.0));
+    const auto at = [&](int column, int row, int channel) {
+        return static_cast<double>(texels_[((static_cast<std::size_t>(phase) * rows + static_cast<std::size_t>(row)) * width + static_cast<std::size_t>(column)) * 4 + static_cast<std::size_t>(channel)]);
+    };
+    glm::dvec3 f;
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto across = [&](int row) {
+            const double first = at(left, row, channel), second = at(left + 1, row, channel);
+            return first + (second - first) * (x - left);
+        };
+        const double first = across(below), second = across(below + 1);
+        f[channel] = (first + (second - first) * (y - below)) * scale - shift;
     }
-    return c;
+    return f;
 }
 
 }  // namespace nacre

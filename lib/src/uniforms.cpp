@@ -25,10 +25,10 @@ Error missing(const char* name)
 
 }  // namespace
 
-const std::array<BlockMember, 30>& blockMembers() noexcept
+const std::array<BlockMember, 34>& blockMembers() noexcept
 {
     using Type = BlockMember::Type;
-    static const std::array<BlockMember, 30> members{{
+    static const std::array<BlockMember, 34> members{{
         {"nacre_u_eta", Type::vec3, offsetof(Block, eta)},
         {"nacre_u_upperExponent", Type::real, offsetof(Block, upperExponent)},
         {"nacre_u_etaSquared", Type::vec3, offsetof(Block, etaSquared)},
@@ -59,6 +59,10 @@ const std::array<BlockMember, 30>& blockMembers() noexcept
         {"nacre_u_substrate", Type::integer, offsetof(Block, substrate)},
         {"nacre_u_diffuseAlbedo", Type::vec3, offsetof(Block, diffuseAlbedo)},
         {"nacre_u_lobes", Type::integer, offsetof(Block, lobes)},
+        {"nacre_u_diffuse", Type::vec3, offsetof(Block, diffuse)},
+        {"nacre_u_thicknessUm", Type::real, offsetof(Block, thicknessUm)},
+        {"nacre_u_pathHead", Type::vec3, offsetof(Block, pathHead)},
+        {"nacre_u_pathTail", Type::vec3, offsetof(Block, pathTail)},
     }};
     return members;
 }

@@ -72,8 +72,9 @@ Result<Candidate> physicalFilm(bool filmOnly, bool withTable)
     if (!candidate) return candidate;
     const auto define = [](const char* name, bool value) { return std::string("#define ") + name + (value ? " 1\n" : " 0\n"); };
     candidate->glsl = define("BENCH_FILM_ONLY", filmOnly) + define("BENCH_TABLE", withTable) + candidate->glsl;
-    candidate->switches = define("NACRE_METAL", false) + define("NACRE_NORMALISED", false);
-    if (filmOnly) candidate->switches += define("NACRE_TILT", false) + define("NACRE_DISPERSION", false);
+    candidate->switches = define("NACRE_METAL", false) + define("NACRE_NORMALISED", false) + define("NACRE_TOTAL_REFLECTION", false) +
+                          define("NACRE_PAPER", false) + define(withTable ? "NACRE_SAMPLER_FREE" : "NACRE_FRINGE_TABLE", false) + define("NACRE_STABLE_LOBES", std::getenv("STABLE") != nullptr);
+    if (filmOnly) candidate->switches += define("NACRE_TILT", false) + define("NACRE_DISPERSION", false) + define("NACRE_SUBSTRATE_CHANNELS", false) + define("NACRE_DIFFUSE", false);
     if (withTable) {
         Result<FringeTable> fringes = FringeTable::create();
         if (!fringes) return fringes.error();

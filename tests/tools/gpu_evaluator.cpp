@@ -39,19 +39,21 @@ void main()
         nacre_PhysicalTerms p = nacre_physicalTerms(m, physical, l);
         rho = nacre_physicalSpecular(m, physical, l FRINGE_ARGUMENT);
         for (int channel = 0; channel < 3; ++channel) {
-            nacre_Film film = nacre_filmOf(m.eta[channel], m.oneMinusEtaSquared[channel],
-                                           vec2(m.substrateReal[channel], m.substrateImaginary[channel]), m.substrate,
-                                           p.cosHalfSquared, vec2(p.crossingS[channel], p.crossingP[channel]));
+            nacre_Film film = nacre_filmOf(m, p, channel);
             R[channel] = film.upper * p.rootUpper * p.rootUpper;
             T[channel] = film.lower * p.rootLower[channel] * p.rootLower[channel];
         }
-        diffuse = physical.diffuse;
+        nacre_Material unweighted = m;
+        unweighted.diffuseWeight = 1.0;
+        diffuse = nacre_physicalView(unweighted, s, pointView() FRINGE_ARGUMENT).diffuse;
         shaded = nacre_physicalLight(m, physical, l FRINGE_ARGUMENT);
     } else {
         rho = nacre_specular(m, w, l);
         R = t.sqrtR * t.sqrtR;
         T = t.sqrtT * t.sqrtT;
-        diffuse = w.diffuse;
+        nacre_Material unweighted = m;
+        unweighted.diffuseWeight = 1.0;
+        diffuse = nacre_view(unweighted, s, pointView()).diffuse;
         shaded = nacre_light(m, w, l);
     }
     vec3 inside = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, clamp(dot(w.upperNormal, l), 0.0, 1.0));

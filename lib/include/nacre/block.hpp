@@ -2,14 +2,16 @@
 
 #include <cstdint>
 
+#include <nacre/fringe_table.hpp>
 #include <nacre/material.hpp>
 #include <nacre/result.hpp>
 
 namespace nacre {
 
-/// The uniform block `nacre_Block` (shaders/nacre_uniforms.glsl), byte for byte as std140 lays it
-/// out: copy it into a uniform buffer. It holds what follows from the material alone, computed in
-/// double precision; the meaning of each member stands at `nacre_Material` (shaders/nacre_material.glsl).
+/// A material in the uniform block `nacre_Block` (shaders/nacre_uniform_block.glsl), byte for byte as std140 lays it
+/// out: copy it into a uniform buffer, an array of them for many materials. It holds what follows from the material
+/// alone, computed in double precision; the meaning of each member stands at `nacre_Material` (shaders/nacre_material.glsl).
+/// 256 bytes, the alignment that any driver asks of a buffer's range.
 struct Block {
     float eta[3];
     float upperExponent;
@@ -41,11 +43,18 @@ struct Block {
     std::int32_t substrate;
     float diffuseAlbedo[3];
     std::int32_t lobes;
+    float diffuse[3];
+    float thicknessUm;
+    float pathHead[3];
+    float unused0;
+    float pathTail[3];
+    float unused1;
 };
-static_assert(sizeof(Block) == 208, "std140: thirteen rows of four words, none of them padded by the compiler");
+static_assert(sizeof(Block) == 256, "std140: sixteen rows of four words, none of them padded by the compiler");
 
 /// The block of a material; the first fault that `validate` finds otherwise, never a NaN.
 /// Allocates nothing where the material is valid.
-Result<Block> pack(const Material& material);
+///   fringeTable  where shaders read one: constant diffuse parts of quality `physical` are then of its colours
+Result<Block> pack(const Material& material, const FringeTable* fringeTable = nullptr);
 
 }  // namespace nacre

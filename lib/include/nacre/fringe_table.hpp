@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
-#include <glm/vec4.hpp>
+#include <glm/vec3.hpp>
 
 #include <nacre/result.hpp>
 
@@ -22,33 +22,37 @@ struct FringeOptions {
     std::vector<double> light;
 };
 
-/// What a sensor makes of fringes, as a texture for the shaders (nacre_fringe_table.glsl): computed in
-/// double precision from the CIE 1931 observer. The host makes the texture:
+/// What a sensor makes of a film's fringes, all internal bounces summed, as a texture for the shaders
+/// (nacre_fringe_table.glsl): computed in double precision from the CIE 1931 observer. The host makes the texture:
 ///
 ///     auto table = nacre::FringeTable::create();
 ///     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, table->width, table->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, table->bytes().data());
-///     // GL_LINEAR for both filters, GL_CLAMP_TO_EDGE along the width, no mipmaps
+///     // GL_LINEAR for both filters, GL_CLAMP_TO_EDGE, no mipmaps
 ///
 /// or in GL_RGBA16, GL_RGBA16F or GL_RGBA32F from texels(): every format that is filtered will do.
 class FringeTable {
 public:
-    static constexpr int width = 1024;       ///< Path differences from 0 to rangeUm, both included.
-    static constexpr int height = 2;         ///< Rows of Row.
+    static constexpr int width = 1024;       ///< Path differences from 0 to rangeUm, both included, in steps of their root.
+    static constexpr int rows = 32;          ///< Of each phase: ratios from -1 to 1.
+    static constexpr int phases = 4;         ///< Of the ratio, k π/4; a dielectric reads the first alone.
+    static constexpr int height = rows * phases;
     static constexpr double rangeUm = 10.0;  ///< Beyond it fringes have less than 0.3 % of their contrast: 0 from there on.
-
-    enum class Row { cosine = 0, sine = 1 };
 
     /// Errors: primaries without a gamut, a light of another length, negative or dark, curves so wild that a
     /// texel cannot hold them.
     static Result<FringeTable> create(const FringeOptions& options = {});
 
-    /// RGBA in [0, 1], row after row: red, green, blue, and the contrast that the luminance has left.
+    /// RGBA in [0, 1], row after row: red, green, blue, and 1.
     const std::vector<float>& texels() const noexcept { return texels_; }
     /// The same in eight bits.
     std::vector<std::uint8_t> bytes() const;
 
-    /// C as the shaders read it at a path difference, µm: linear between two texels, in double precision.
-    glm::dvec4 look(double pathUm, Row row) const noexcept;
+    /// F(x, q) as the shaders read it: linear between texels, in double precision.
+    ///   pathUm  path difference x, µm, held to the table's range
+    ///   ratio   |q| with its sign, -1 to 1
+    ///   phase   the phase of q beside that sign, in steps of π/4, 0 to 3
+    /// At ratio 0 this is the fringe C(x) itself.
+    glm::dvec3 look(double pathUm, double ratio, int phase = 0) const noexcept;
 
 private:
     std::vector<float> texels_;

@@ -22,7 +22,7 @@ struct BlockMember {
 };
 
 /// All members of Block.
-const std::array<BlockMember, 30>& blockMembers() noexcept;
+const std::array<BlockMember, 34>& blockMembers() noexcept;
 
 /// Sets a material by plain uniforms (GlslUniforms::plain).
 ///
@@ -48,7 +48,7 @@ private:
     void(NACRE_GL_CALL* uniform1f_)(int, float) = nullptr;
     void(NACRE_GL_CALL* uniform1i_)(int, int) = nullptr;
     void(NACRE_GL_CALL* uniform3fv_)(int, int, const float*) = nullptr;
-    std::array<int, 30> locations_{};
+    std::array<int, 34> locations_{};
 };
 
 }  // namespace nacre

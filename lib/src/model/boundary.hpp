@@ -36,7 +36,8 @@ struct ComplexPair {
 
 inline ComplexPair lowerAmplitudesMetal(Complex substrate, double sineSquared, double cosRefracted)
 {
-    const Complex w = complexRoot(substrate - sineSquared);
+    const double real = substrate.real() - sineSquared;
+    const Complex w = complexRoot({substrate.imag() > 0.0 ? real : std::fmax(real, 0.0), substrate.imag()});
     const double w2 = std::norm(w);
     const double g = cosRefracted;
     const Complex s = Complex(g * g - w2, -2.0 * g * w.imag()) / std::fmax(std::norm(g + w), 1e-18);

@@ -24,4 +24,9 @@ inline dvec3 refractedCosineSquared(dvec3 etaSquared, dvec3 oneMinusEtaSquared, 
     return oneMinusEtaSquared + etaSquared * (cosTheta * cosTheta);
 }
 
+inline dvec3 refractedCosine(dvec3 cosSquared)
+{
+    return sqrt(max(cosSquared, 0.0));
+}
+
 }  // namespace nacre::model

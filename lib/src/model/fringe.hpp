@@ -5,8 +5,6 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/vec4.hpp>
 
-#include <nacre/fringe_table.hpp>
-
 #include "material.hpp"
 
 namespace nacre::model {
@@ -17,7 +15,7 @@ constexpr int defaultOrders = 2;  // NACRE_ORDERS, shaders/nacre_config.glsl
 template <std::size_t Orders>
 struct Fringe {
     std::array<dvec3, Orders> order;
-    dvec3 coherence;
+    double coherence;
 };
 
 inline const dvec4 fringeLines(2.21777322, 1.90322369, 1.80066289, 1.65613586);
@@ -32,6 +30,11 @@ inline dvec4 linePhase(double path)
     return glm::two_pi<double>() * (cycles - floor(cycles + 0.5));
 }
 
+inline dvec3 ofLines(dvec4 line)
+{
+    return dvec3(dot(fringeRed, line), dot(fringeGreen, line), dot(fringeBlue, line));
+}
+
 template <std::size_t Orders>
 Fringe<Orders> lineHarmonics(double path, dvec4 cosine, dvec4 first, dvec4 zeroth)
 {
@@ -41,9 +44,8 @@ Fringe<Orders> lineHarmonics(double path, dvec4 cosine, dvec4 first, dvec4 zerot
     dvec4 decayStep = decay;
     dvec4 wave = first, before = zeroth;
     for (std::size_t m = 0; m < Orders; ++m) {
-        const dvec4 line = wave * decay;
-        f.order[m] = dvec3(dot(fringeRed, line), dot(fringeGreen, line), dot(fringeBlue, line));
-        f.coherence = dvec3(decay.y);
+        f.order[m] = ofLines(wave * decay);
+        f.coherence = decay.y;
         const dvec4 next = 2.0 * cosine * wave - before;
         before = wave;
         wave = next;
@@ -54,57 +56,27 @@ Fringe<Orders> lineHarmonics(double path, dvec4 cosine, dvec4 first, dvec4 zerot
 }
 
 template <std::size_t Orders>
-Fringe<Orders> cosineFringeAt(double path)
+Fringe<Orders> cosineFringe(double path)
 {
     const dvec4 cosine = cos(linePhase(path));
     return lineHarmonics<Orders>(path, cosine, cosine, dvec4(1.0));
 }
 
 template <std::size_t Orders>
-Fringe<Orders> sineFringeAt(double path)
+Fringe<Orders> sineFringe(double path)
 {
     const dvec4 phase = linePhase(path);
     return lineHarmonics<Orders>(path, cos(phase), sin(phase), dvec4(0.0));
 }
 
-template <std::size_t Orders>
-Fringe<Orders> perChannel(Fringe<Orders> r, const Fringe<Orders>& g, const Fringe<Orders>& b)
+inline dvec3 firstFringeOf(double path)
 {
-    for (std::size_t m = 0; m < Orders; ++m) r.order[m] = dvec3(r.order[m].x, g.order[m].y, b.order[m].z);
-    r.coherence = dvec3(r.coherence.x, g.coherence.y, b.coherence.z);
-    return r;
+    return ofLines(cos(linePhase(path)) * exp2(fringeDecay * (path * path)));
 }
 
-// nacre_fringe_table.glsl
-
-template <std::size_t Orders>
-Fringe<Orders> fringeAt(const FringeTable& table, double path, FringeTable::Row row)
+inline dvec3 firstFringe(dvec3 path)
 {
-    Fringe<Orders> f;
-    for (std::size_t m = 0; m < Orders; ++m) {
-        const dvec4 texel = table.look(path * static_cast<double>(m + 1), row);
-        f.order[m] = dvec3(texel);
-        f.coherence = dvec3(std::fmax(texel.w, 0.0));
-    }
-    return f;
-}
-
-// Without a table: the four lines.
-
-template <std::size_t Orders>
-Fringe<Orders> cosineFringe(const FringeTable* table, dvec3 path)
-{
-    constexpr auto row = FringeTable::Row::cosine;
-    return table ? perChannel(fringeAt<Orders>(*table, path.x, row), fringeAt<Orders>(*table, path.y, row), fringeAt<Orders>(*table, path.z, row))
-                 : perChannel(cosineFringeAt<Orders>(path.x), cosineFringeAt<Orders>(path.y), cosineFringeAt<Orders>(path.z));
-}
-
-template <std::size_t Orders>
-Fringe<Orders> sineFringe(const FringeTable* table, dvec3 path)
-{
-    constexpr auto row = FringeTable::Row::sine;
-    return table ? perChannel(fringeAt<Orders>(*table, path.x, row), fringeAt<Orders>(*table, path.y, row), fringeAt<Orders>(*table, path.z, row))
-                 : perChannel(sineFringeAt<Orders>(path.x), sineFringeAt<Orders>(path.y), sineFringeAt<Orders>(path.z));
+    return {firstFringeOf(path.x).x, firstFringeOf(path.y).y, firstFringeOf(path.z).z};
 }
 
 }  // namespace nacre::model

@@ -35,29 +35,38 @@ struct Terms {
     dvec3 lowerOneMinus;
 };
 
-inline View view(const Material& m, const Surface& s, dvec3 v)
+inline dvec3 sqrtTransmittanceOut(const Material& m, const View& w)
 {
-    View w;
+    const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(w.cosRefracted);
+    const dvec3 root = sqrt(max(transmittance, 0.0));
+    return mix(dvec3(0.0), root, lessThan(w.lowerCosine, dvec3(0.0)));
+}
+
+// The GLSL's nacre_viewThroughLayer stands in it.
+inline View viewOfSurface(const Material& m, const Surface& s, dvec3 v)
+{
+    View w{};
     w.direction = v;
     w.upperNormal = direction(s.upperNormal);
-    w.lowerNormal = direction(s.lowerNormal);
-    const bool hasNormals = dot(w.upperNormal, w.upperNormal) > 0.0 && dot(w.lowerNormal, w.lowerNormal) > 0.0;
     const double cosTheta = dot(w.upperNormal, v);
-    w.cosTheta = hasNormals && cosTheta > 0.0 ? std::fmin(cosTheta, 1.0) : 0.0;
+    w.cosTheta = cosTheta > 0.0 ? std::fmin(cosTheta, 1.0) : 0.0;
+    w.cosRefracted = refractedCosine(refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, w.cosTheta));
+    w.lowerNormal = direction(s.lowerNormal);
+    if (!(dot(w.lowerNormal, w.lowerNormal) > 0.0)) w.cosTheta = 0.0;
     w.cosBetween = dot(w.upperNormal, w.lowerNormal);
     frame(w.lowerNormal, w.frameX, w.frameY);
     w.upperAcross = dvec2(dot(w.upperNormal, w.frameX), dot(w.upperNormal, w.frameY));
+    w.lowerCosine = lowerCosine(m.eta, w.cosBetween, w.cosTheta, dot(w.lowerNormal, w.direction), w.cosRefracted);
+    return w;
+}
 
-    const dvec3 cosSquared = refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, w.cosTheta);
-    w.cosRefracted = sqrt(max(cosSquared, 0.0));
-    w.lowerCosine = lowerCosine(m.eta, w.cosBetween, w.cosTheta, dot(w.lowerNormal, v), w.cosRefracted);
-    const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(w.cosRefracted);
-    const glm::bvec3 leaves = lessThan(w.lowerCosine, dvec3(0.0));
-    w.sqrtTransmittance = mix(dvec3(0.0), sqrt(max(transmittance, 0.0)), leaves);
-
+inline View view(const Material& m, const Surface& s, dvec3 v)
+{
+    View w = viewOfSurface(m, s, v);
+    w.sqrtTransmittance = sqrtTransmittanceOut(m, w);
     w.path = path(m.cyclesPerUm, s.thicknessUm);
     const dvec3 cosine = cosPhase(pathCycles(w.path, dvec3(2.0)));
-    w.diffuse = hasNormals ? diffuseCoefficient(m.diffuseFringe, cosine) : dvec3(0.0);
+    w.diffuse = w.cosTheta > 0.0 ? m.diffuseWeight * diffuseCoefficient(m.diffuseFringe, cosine) : dvec3(0.0);
     return w;
 }
 
@@ -69,10 +78,10 @@ inline Terms terms(const Material& m, const View& w, dvec3 l)
         const dvec3 halfVector = l + w.direction;
 
         const dvec3 cosSquared = refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
-        const glm::bvec3 reflectsAll = lessThan(cosSquared, dvec3(0.0));
-        const dvec3 cosRefracted = sqrt(max(cosSquared, 0.0));
+        const dvec3 cosRefracted = refractedCosine(cosSquared);
 
         t.upperOneMinus = upperLobeOneMinus(w.upperNormal, halfVector, cosTheta, w.cosTheta);
+        const glm::bvec3 reflectsAll = lessThan(cosSquared, dvec3(0.0));
         const dvec3 reflected = mix(reflectance(m.normalReflectance, cosTheta), dvec3(1.0), reflectsAll);
         t.sqrtR = sqrt(reflected) * powerOneMinus(t.upperOneMinus, 0.5 * m.upperExponent);
 
@@ -80,12 +89,12 @@ inline Terms terms(const Material& m, const View& w, dvec3 l)
         const dvec2 halfAcross(dot(w.frameX, halfVector), dot(w.frameY, halfVector));
         t.lowerOneMinus = lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
                                             cosRefracted + w.cosRefracted, lowerCosineI - w.lowerCosine);
+        // The three null conditions under Eq 10, of which the viewer's is in w.sqrtTransmittance: the light's ray, the lobe.
+        const glm::bvec3 meets = lessThan(max(lowerCosineI, t.lowerOneMinus - 1.0), dvec3(0.0));
         const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(cosTheta);
-        dvec3 sqrtT = sqrt(transmittance) * w.sqrtTransmittance * powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
-        // The three null conditions under Eq 10; the viewer's is in w.sqrtTransmittance.
-        sqrtT = mix(dvec3(0.0), sqrtT, lessThan(lowerCosineI, dvec3(0.0)));
-        sqrtT = mix(dvec3(0.0), sqrtT, lessThan(t.lowerOneMinus, dvec3(1.0)));
-        t.sqrtT = mix(sqrtT, dvec3(0.0), reflectsAll);
+        const dvec3 lobe = powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
+        t.sqrtT = mix(dvec3(0.0), sqrt(transmittance) * w.sqrtTransmittance * lobe, meets);
+        t.sqrtT = mix(t.sqrtT, dvec3(0.0), reflectsAll);
 
         t.cycles = pathCycles(w.path, cosRefracted + w.cosRefracted);
     }
@@ -100,8 +109,8 @@ inline dvec3 specular(const Material& m, const View& w, dvec3 l)
 
 inline dvec3 light(const Material& m, const View& w, dvec3 l)
 {
-    const double cosTheta = w.cosTheta > 0.0 ? glm::clamp(dot(w.upperNormal, l), 0.0, 1.0) : 0.0;
-    return (m.specularWeight * specular(m, w, l) + m.diffuseWeight * w.diffuse) * cosTheta;
+    const dvec3 both = w.diffuse + m.specularWeight * specular(m, w, l);
+    return both * glm::clamp(dot(w.upperNormal, l), 0.0, 1.0);
 }
 
 }  // namespace nacre::model

@@ -10,8 +10,9 @@ namespace nacre::model {
 struct PhysicalView {
     View layer;
     dvec3 crossingS, crossingP;
-    dvec3 lowerScale;
     dvec3 pathAtNormal;
+    dvec3 lowerScale;
+    dvec3 pathPerRadian;
     dvec3 diffuse;
 };
 
@@ -32,21 +33,28 @@ inline void crossings(dvec3 eta, double cosTheta, dvec3 cosRefracted, dvec3& s, 
     p = dvec3(r.y, g.y, b.y);
 }
 
+// As the shaders have it where the thickness is constant: the host's.
 inline dvec3 physicalDiffuse(const Material& m, dvec3 cosine)
 {
     const dvec3 fringe = (1.0 + m.diffuseFringe * clamp(cosine, -1.0, 1.0)) / (1.0 + m.diffuseFringe);
-    return m.diffuseAlbedo * fringe * glm::one_over_pi<double>();
+    return m.diffuseAlbedo * fringe * (glm::one_over_pi<double>() * m.diffuseWeight);
+}
+
+inline dvec3 physicalDiffuse(const Material& m, double thicknessUm, const FringeTable* table)
+{
+    const dvec3 path = 2.0 * m.index * thicknessUm;
+    return physicalDiffuse(m, table ? firstFringe(*table, path) : firstFringe(path));
 }
 
 inline PhysicalView physicalView(const Material& m, const Surface& s, dvec3 v, const FringeTable* table)
 {
     PhysicalView w;
-    w.layer = view(m, s, v);
+    w.layer = viewOfSurface(m, s, v);
     crossings(m.eta, w.layer.cosTheta, w.layer.cosRefracted, w.crossingS, w.crossingP);
-    w.lowerScale = m.lobes == 1 ? m.lowerScale * lowerLobeScale(m.eta, w.layer.upperAcross, m.lowerExponent) : dvec3(1.0);
     w.pathAtNormal = m.index * s.thicknessUm;
-    w.diffuse = dvec3(0.0);
-    if (w.layer.cosTheta > 0.0) w.diffuse = physicalDiffuse(m, cosineFringe<1>(table, 2.0 * w.pathAtNormal).order[0]);
+    w.pathPerRadian = m.index / m.cyclesPerUm / glm::two_pi<double>();
+    w.lowerScale = m.lobes == 1 ? m.lowerScale * lowerLobeScale(m.eta, length(w.layer.upperAcross), m.lowerExponent) : dvec3(1.0);
+    w.diffuse = w.layer.cosTheta > 0.0 ? physicalDiffuse(m, s.thicknessUm, table) : dvec3(0.0);
     return w;
 }
 
@@ -61,8 +69,7 @@ inline PhysicalTerms physicalTerms(const Material& m, const PhysicalView& w, dve
         const double steepest = std::fmax(cosTheta, o.cosTheta);
         const bool isBelow = any(lessThan(m.oneMinusEtaSquared, dvec3(0.0)));
         t.cosHalfSquared = isBelow ? std::fmax(t.cosHalfSquared, steepest * steepest) : t.cosHalfSquared;
-        const dvec3 cosSquared = refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta);
-        const dvec3 cosRefracted = sqrt(max(cosSquared, 0.0));
+        const dvec3 cosRefracted = refractedCosine(refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, cosTheta));
         const double upper = upperLobeOneMinus(o.upperNormal, halfVector, cosTheta, o.cosTheta);
 
         const dvec3 lowerCosineI = lowerCosine(m.eta, o.cosBetween, cosTheta, dot(o.lowerNormal, l), cosRefracted);
@@ -70,8 +77,7 @@ inline PhysicalTerms physicalTerms(const Material& m, const PhysicalView& w, dve
         const dvec3 lower = lowerLobeOneMinus(m.eta, halfAcross, o.upperAcross, cosTheta + o.cosTheta,
                                               cosRefracted + o.cosRefracted, lowerCosineI - o.lowerCosine);
         // The three null conditions under Eq 10.
-        const dvec3 worst = max(lower - 1.0, max(lowerCosineI, o.lowerCosine));
-        const glm::bvec3 meets = lessThan(worst, dvec3(0.0));
+        const glm::bvec3 meets = lessThan(max(lower - 1.0, max(lowerCosineI, o.lowerCosine)), dvec3(0.0));
         t.rootUpper = powerOneMinus(upper, 0.5 * m.upperExponent);
         t.rootLower = mix(dvec3(0.0), powerOneMinus(lower, 0.5 * m.lowerExponent), meets);
         if (m.lobes == 1) {
@@ -87,72 +93,55 @@ inline PhysicalTerms physicalTerms(const Material& m, const PhysicalView& w, dve
     return t;
 }
 
-inline Film filmOf(double eta, double oneMinusEtaSquared, Complex substrate, int kind, double cosHalfSquared, dvec2 crossing)
+inline Film filmOf(const Material& m, const PhysicalTerms& t, int channel)
 {
-    const double cosSquared = oneMinusEtaSquared + eta * eta * cosHalfSquared;
-    const double sineSquared = eta * eta * (1.0 - cosHalfSquared);
+    const double eta = m.eta[channel], etaSquared = m.etaSquared[channel], oneMinusEtaSquared = m.oneMinusEtaSquared[channel];
+    dvec2 crossing(t.crossingS[channel], t.crossingP[channel]);
+    const double cosSquared = oneMinusEtaSquared + etaSquared * t.cosHalfSquared;
+    const double sineSquared = etaSquared * (1.0 - t.cosHalfSquared);
     const double cosRefracted = std::sqrt(std::fmax(cosSquared, 0.0));
-    dvec2 a = upperAmplitudes(eta, oneMinusEtaSquared, std::sqrt(cosHalfSquared), cosRefracted);
+    dvec2 a = upperAmplitudes(eta, oneMinusEtaSquared, std::sqrt(t.cosHalfSquared), cosRefracted);
     const bool reflectsAll = cosSquared < 0.0;
     a = reflectsAll ? dvec2(1.0) : a;
     crossing = reflectsAll ? dvec2(0.0) : crossing;
-    if (kind == 1) {
+    const Complex substrate(m.substrateReal[channel], m.substrateImaginary[channel]);
+    Film film;
+    if (m.substrate == 1) {
         const ComplexPair b = lowerAmplitudesMetal(substrate, sineSquared, cosRefracted);
-        return film(a, dvec2(std::norm(b.s), std::norm(b.p)), {-a.x * b.s, -a.y * b.p}, crossing);
-    }
-    const dvec2 b = lowerAmplitudes(substrate.real(), sineSquared, cosRefracted);
-    const dvec2 q = -a * b;
-    return film(a, b * b, {q.x, q.y}, crossing);
-}
-
-inline Film filmOf(const Material& m, const PhysicalTerms& t, int channel)
-{
-    return filmOf(m.eta[channel], m.oneMinusEtaSquared[channel], Complex(m.substrateReal[channel], m.substrateImaginary[channel]),
-                  m.substrate, t.cosHalfSquared, dvec2(t.crossingS[channel], t.crossingP[channel]));
-}
-
-template <std::size_t Orders>
-double filmChannel(const Film& film, int kind, const std::array<double, Orders>& cosine, const std::array<double, Orders>& sine,
-                   double coherence, double rootUpper, double rootLower)
-{
-    double fringes = 0.0;
-    if (kind == 1) {
-        std::array<Complex, Orders> c;
-        for (std::size_t m = 0; m < Orders; ++m) c[m] = Complex(cosine[m], sine[m]);
-        fringes = fringeSumMetal(film, c, coherence);
+        film.ratio = {-a.x * b.s, -a.y * b.p};
+        weigh(film, a * a, dvec2(std::norm(b.s), std::norm(b.p)), crossing);
     } else {
-        fringes = fringeSum(film, cosine, coherence);
+        const dvec2 b = lowerAmplitudes(substrate.real(), sineSquared, cosRefracted);
+        film.ratio = {-a.x * b.x, -a.y * b.y};
+        weigh(film, a * a, b * b, crossing);
     }
-    return filmReflectance(film, fringes, rootUpper, rootLower);
+    return film;
 }
 
+// The form without a table, of any number of orders.
 template <std::size_t Orders>
-dvec3 filmSpecular(const Material& m, const PhysicalTerms& t, const Fringe<Orders>& cosine, const Fringe<Orders>& sine)
+double fringesOf(const Material& m, const Film& film, double path, int channel)
+{
+    const Fringe<Orders> cosine = cosineFringe<Orders>(path);
+    return m.substrate == 1 ? fringeSumMetal(film, cosine, sineFringe<Orders>(path), channel) : fringeSum(film, cosine)[channel];
+}
+
+inline dvec3 physicalSpecular(const Material& m, const PhysicalView& w, const PhysicalTerms& t, const FringeTable* table)
 {
     dvec3 rho;
     for (int channel = 0; channel < 3; ++channel) {
-        std::array<double, Orders> c, s;
-        for (std::size_t order = 0; order < Orders; ++order) {
-            c[order] = cosine.order[order][channel];
-            s[order] = sine.order[order][channel];
-        }
-        rho[channel] = filmChannel(filmOf(m, t, channel), m.substrate, c, s, cosine.coherence[channel], t.rootUpper, t.rootLower[channel]);
+        const Film film = filmOf(m, t, channel);
+        const double fringes = table ? fringeSum(*table, film, t.path[channel], w.pathPerRadian[channel])[channel]
+                                     : fringesOf<defaultOrders>(m, film, t.path[channel], channel);
+        rho[channel] = filmReflectance(film, dvec3(fringes), t.rootUpper, t.rootLower[channel])[channel];
     }
     return rho;
 }
 
-inline dvec3 physicalSpecular(const Material& m, const PhysicalTerms& t, const FringeTable* table)
-{
-    const auto cosine = cosineFringe<defaultOrders>(table, t.path);
-    auto sine = cosine;
-    if (m.substrate == 1) sine = sineFringe<defaultOrders>(table, t.path);
-    return filmSpecular(m, t, cosine, sine);
-}
-
 inline dvec3 physicalWeighted(const Material& m, const PhysicalView& w, dvec3 l, dvec3 specular)
 {
-    const double cosTheta = w.layer.cosTheta > 0.0 ? glm::clamp(dot(w.layer.upperNormal, l), 0.0, 1.0) : 0.0;
-    return (m.specularWeight * specular + m.diffuseWeight * w.diffuse) * cosTheta;
+    const dvec3 both = w.diffuse + m.specularWeight * specular;
+    return both * glm::clamp(dot(w.layer.upperNormal, l), 0.0, 1.0);
 }
 
 }  // namespace nacre::model

@@ -5,7 +5,7 @@ set -eu
 shaders=$1
 work=$2
 mkdir -p "$work"
-order="config material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical physical_light quality"
+order="config channels material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical physical_light quality"
 checked=0
 for version in "330 core" "410 core" "450 core" "300 es" "310 es"; do
     for uniforms in uniforms uniform_block; do
@@ -22,12 +22,10 @@ void main()
 {
     nacre_Material m = nacre_materialFromUniforms();
     nacre_Surface s = nacre_surface(m, vec3(0.0, 0.0, 1.0), vec4(1.0, 0.0, 0.0, 1.0), gl_FragCoord.xyz, mat3(1.0));
-    nacre_View w = nacre_view(m, s, vec3(0.0, 0.6, 0.8));
-    colour = vec4(nacre_light(m, w, vec3(0.0, 0.0, 1.0)), 1.0);
-    nacre_PhysicalView p = nacre_physicalView(m, s, vec3(0.0, 0.6, 0.8));
-    colour.xyz += nacre_qualityLight(m, p, vec3(0.0, 0.0, 1.0));
-    p = nacre_physicalView(m, s, vec3(0.0, 0.6, 0.8), fringeTable);
-    colour.xyz += nacre_qualityLight(m, p, vec3(0.0, 0.0, 1.0), fringeTable);
+    nacre_Shading w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8));
+    colour = vec4(nacre_shade(m, w, vec3(0.0, 0.0, 1.0)), 1.0);
+    w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8), fringeTable);
+    colour.xyz += nacre_shade(m, w, vec3(0.0, 0.0, 1.0), fringeTable);
 }
 MAIN
         glslangValidator "$file" || { echo "fails as #version $version with nacre_$uniforms.glsl" >&2; exit 1; }
