@@ -21,6 +21,8 @@ vec3 nacre_direction(vec3 a)
 #endif
 }
 
+#if NACRE_TILT || NACRE_LOWER_NORMAL != NACRE_LOWER_NORMAL_PARALLEL
+
 // Two unit vectors that complete the unit vector n to a right-handed frame (x, y, n).
 // Duff et al. 2017, "Building an orthonormal basis, revisited": no direction of n is singular.
 void nacre_frame(vec3 n, out vec3 x, out vec3 y)
@@ -31,5 +33,7 @@ void nacre_frame(vec3 n, out vec3 x, out vec3 y)
     x = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
     y = vec3(b, side + n.y * n.y * a, -n.y);
 }
+
+#endif
 
 #endif

@@ -142,15 +142,18 @@ nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
         vec2 halfAcross = vec2(dot(w.frameX, halfVector), dot(w.frameY, halfVector));
         t.lowerOneMinus = nacre_lowerLobeOneMinus(m.eta, halfAcross, w.upperAcross, cosTheta + w.cosTheta,
                                                   cosRefracted + w.cosRefracted, lowerCosine - w.lowerCosine);
-        nacre_ChannelsTest meets = nacre_less(max(lowerCosine, t.lowerOneMinus - 1.0), none);
 #else
         t.lowerOneMinus = nacre_lowerLobeOneMinus(m.etaSquared, w.upperNormal, halfVector, cosTheta, w.cosTheta,
                                                   cosRefracted, w.cosRefracted);
-        nacre_ChannelsTest meets = nacre_less(t.lowerOneMinus, nacre_Channels(1.0));
 #endif
         nacre_Channels transmittance = (1.0 - m.normalReflectance) * nacre_transmittanceShape(cosTheta);
-        nacre_Channels lobe = nacre_powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
-        t.sqrtT = mix(none, sqrt(transmittance) * w.sqrtTransmittance * lobe, meets);
+        t.sqrtT = sqrt(transmittance) * w.sqrtTransmittance * nacre_powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
+#if NACRE_STABLE_LOBES
+        t.sqrtT = mix(none, t.sqrtT, nacre_less(t.lowerOneMinus, nacre_Channels(1.0)));  // an exponent of 0 has 0^0
+#endif
+#if NACRE_TILT
+        t.sqrtT = mix(none, t.sqrtT, nacre_less(lowerCosine, none));
+#endif
 #if NACRE_TOTAL_REFLECTION
         t.sqrtT = mix(t.sqrtT, none, reflectsAll);
 #endif
@@ -170,13 +173,16 @@ vec3 nacre_specular(nacre_Material m, nacre_View w, vec3 l)
 #endif
 
 // What a light of radiance 1 adds to the pixel: both parts, weighted as in Sec 6, times the cosine.
+// Where the light does not reach, nothing is computed.
 vec3 nacre_light(nacre_Material m, nacre_View w, vec3 l)
 {
-    vec3 both = w.diffuse;
 #if NACRE_SPECULAR
-    both += m.specularWeight * nacre_specular(m, w, l);
+    float cosTheta = min(dot(w.upperNormal, l), 1.0);
+    if (!(cosTheta > 0.0 && w.cosTheta > 0.0)) return vec3(0.0);
+    return (w.diffuse + m.specularWeight * nacre_specular(m, w, l)) * cosTheta;
+#else
+    return w.diffuse * clamp(dot(w.upperNormal, l), 0.0, 1.0);
 #endif
-    return both * clamp(dot(w.upperNormal, l), 0.0, 1.0);
 }
 
 #endif

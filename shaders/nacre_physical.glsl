@@ -146,15 +146,19 @@ nacre_PhysicalTerms nacre_physicalTerms(nacre_Material m, nacre_PhysicalView w, 
         vec2 halfAcross = vec2(dot(o.frameX, halfVector), dot(o.frameY, halfVector));
         nacre_Channels lower = nacre_lowerLobeOneMinus(m.eta, halfAcross, o.upperAcross, cosTheta + o.cosTheta,
                                                        cosRefracted + o.cosRefracted, lowerCosine - o.lowerCosine);
-        // The three null conditions under Eq 10.
-        nacre_ChannelsTest meets = nacre_less(max(lower - 1.0, max(lowerCosine, o.lowerCosine)), none);
 #else
         nacre_Channels lower = nacre_lowerLobeOneMinus(m.etaSquared, o.upperNormal, halfVector, cosTheta, o.cosTheta,
                                                        cosRefracted, o.cosRefracted);
-        nacre_ChannelsTest meets = nacre_less(lower, nacre_Channels(1.0));
 #endif
         t.rootUpper = nacre_powerOneMinus(upper, 0.5 * m.upperExponent);
-        t.rootLower = mix(none, nacre_powerOneMinus(lower, 0.5 * m.lowerExponent), meets);
+        t.rootLower = nacre_powerOneMinus(lower, 0.5 * m.lowerExponent);
+        // The three null conditions under Eq 10.
+#if NACRE_STABLE_LOBES
+        t.rootLower = mix(none, t.rootLower, nacre_less(lower, nacre_Channels(1.0)));  // an exponent of 0 has 0^0
+#endif
+#if NACRE_TILT
+        t.rootLower = mix(none, t.rootLower, nacre_less(max(lowerCosine, o.lowerCosine), none));
+#endif
 #if NACRE_NORMALISED
         if (m.lobes == 1) {
             t.rootUpper *= m.upperScale * inversesqrt(nacre_lobeFlattening(m.upperExponent, max(cosTheta, o.cosTheta)));

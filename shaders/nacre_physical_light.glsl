@@ -100,26 +100,26 @@ vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
 #if NACRE_SAMPLER_FREE
 vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l)
 {
+#if NACRE_SPECULAR
     float cosTheta = min(dot(w.layer.upperNormal, l), 1.0);
     if (!(cosTheta > 0.0 && w.layer.cosTheta > 0.0)) return vec3(0.0);
-    vec3 both = w.diffuse;
-#if NACRE_SPECULAR
-    both += m.specularWeight * nacre_physicalSpecular(m, w, l);
+    return (w.diffuse + m.specularWeight * nacre_physicalSpecular(m, w, l)) * cosTheta;
+#else
+    return w.diffuse * clamp(dot(w.layer.upperNormal, l), 0.0, 1.0);
 #endif
-    return both * cosTheta;
 }
 #endif
 
 #if NACRE_FRINGE_TABLE
 vec3 nacre_physicalLight(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
 {
+#if NACRE_SPECULAR
     float cosTheta = min(dot(w.layer.upperNormal, l), 1.0);
     if (!(cosTheta > 0.0 && w.layer.cosTheta > 0.0)) return vec3(0.0);
-    vec3 both = w.diffuse;
-#if NACRE_SPECULAR
-    both += m.specularWeight * nacre_physicalSpecular(m, w, l, fringeTable);
+    return (w.diffuse + m.specularWeight * nacre_physicalSpecular(m, w, l, fringeTable)) * cosTheta;
+#else
+    return w.diffuse * clamp(dot(w.layer.upperNormal, l), 0.0, 1.0);
 #endif
-    return both * cosTheta;
 }
 #endif
 

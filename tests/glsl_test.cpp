@@ -14,7 +14,7 @@ TEST(Glsl, StartsWithItsVersion)
 {
     EXPECT_EQ(glsl()->substr(0, 18), "#version 330 core\n");
     EXPECT_EQ(glsl({300, true})->substr(0, 60), "#version 300 es\nprecision highp float;\nprecision highp int;\n");
-    EXPECT_EQ(glsl({120}).error().message, "nacre::glsl(): expected version 330, 400 to 460 in tens, or with es 300, 310, 320, got 120");
+    EXPECT_EQ(glsl({120}).error().message, "nacre::glsl(): expected version 330, 400 to 460 in tens, with es 300, 310, 320, or with vulkan 450, 460, got 120");
     EXPECT_FALSE(glsl({330, true}));
     EXPECT_FALSE(glsl({300}));
 }

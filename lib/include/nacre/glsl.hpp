@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <nacre/features.hpp>
 #include <nacre/result.hpp>
 
 namespace nacre {
@@ -25,15 +26,25 @@ enum class GlslUniforms {
 };
 
 struct GlslOptions {
-    int version = 330;  ///< 330 to 460; with es: 300 to 320.
+    int version = 330;  ///< 330 to 460; with es: 300 to 320; with vulkan: 450 or 460.
     bool es = false;
     GlslUniforms uniforms = GlslUniforms::block;
+    Features features{};      ///< What the shader computes; the default is everything.
+    bool isResolved = false;  ///< For readers and for engines without a preprocessor: no conditionals, no #line.
+    bool vulkan = false;      ///< GLSL for Vulkan: the block is at `set = 0, binding = blockBinding`.
+    int blockBinding = 0;
 };
 
 /// The library as one text for a shader, to be followed by the host's own declarations and `main`:
-/// `#version`, precision for ES, then the functions. In a compiler's messages source N is
-/// `glslFiles()[N - 1]`, source 0 is what the host appends.
-/// An error where the version is none that the library supports.
+/// `#version`, precision for ES, the features' switches, then the functions that they leave. In a compiler's messages
+/// source N is `glslFiles()[N - 1]`, source 0 is what the host appends.
+/// Errors: a version that the library does not support, plain uniforms for Vulkan, more materials than a block holds.
 Result<std::string> glsl(const GlslOptions& options = {});
+
+/// The same without `#version` and precision, for a host that puts them itself: a chunk.
+Result<std::string> glslChunk(const GlslOptions& options = {});
+
+/// The `#define` lines that the features are.
+std::string switches(const Features& features);
 
 }  // namespace nacre

@@ -4,6 +4,7 @@
 
 #include <nacre/block.hpp>
 #include <nacre/evaluate.hpp>
+#include <nacre/features.hpp>
 #include <nacre/fringe_table.hpp>
 #include <nacre/glsl.hpp>
 #include <nacre/material.hpp>

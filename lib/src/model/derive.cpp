@@ -23,7 +23,7 @@ void deriveSubstrate(Material& m, const nacre::Material& material)
     const dvec3 r1Squared = material.ior * material.ior;
     m.substrateReal = (n - k) * (n + k) / r1Squared;
     m.substrateImaginary = 2.0 * n * k / r1Squared;
-    m.substrate = isMetal ? 1 : 0;
+    m.substrate = k != dvec3(0.0) ? 1 : 0;  // a metal that does not absorb is a dielectric
 }
 
 }  // namespace
@@ -64,8 +64,10 @@ Material derive(const nacre::Material& material)
     m.lowerScale = isNormalised ? std::sqrt((m.lowerExponent + 2.0) / glm::two_pi<double>()) : 1.0;
 
     m.lowerNormal = static_cast<int>(material.lowerNormal);
-    m.deviationCos = std::cos(glm::radians(material.deviationDegrees));
-    m.deviationSin = std::sin(glm::radians(material.deviationDegrees));
+    // A shader that knows only of boundaries that lean takes parallel ones as such, leaning by 0.
+    const double deviation = material.lowerNormal == LowerNormal::parallel ? 0.0 : glm::radians(material.deviationDegrees);
+    m.deviationCos = std::cos(deviation);
+    m.deviationSin = std::sin(deviation);
     m.azimuthCos = std::cos(glm::radians(material.azimuthDegrees));
     m.azimuthSin = std::sin(glm::radians(material.azimuthDegrees));
     return m;
