@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <nacre/result.hpp>
+
+#include "film_error.hpp"
 
 namespace nacre::bench {
 
@@ -20,6 +23,15 @@ struct Table {
     Filter filter = Filter::linear;
     Format format = Format::float32;
     std::vector<float> texels;  ///< Row by row, width · height · channels.
+};
+
+/// What a candidate makes of a film alone, so that its error can be measured beside its speed.
+struct FilmHook {
+    std::string glsl;  ///< Defines `vec3 bench_film(bench_Film f)`, glsl/film.glsl. Empty: it models no film.
+    bool hasMetals = true;  ///< false: compiled for dielectrics below the film only.
+    bool hasSubstrate = true;  ///< false: what lies below the film is a perfect mirror whatever the film says.
+    /// The bytes of the candidate's block for a film; none: bench_Film says it all.
+    std::function<Result<std::vector<unsigned char>>(const test::FilmCase&)> block;
 };
 
 /// A shader to be measured: GLSL that shades a point, and what it reads.
@@ -42,6 +54,8 @@ struct Candidate {
     std::string blockName;  ///< Of the std140 block; empty: none.
     std::vector<unsigned char> block;
     std::vector<Table> tables;
+
+    FilmHook film;
 };
 
 /// A candidate that cannot be measured, and why.

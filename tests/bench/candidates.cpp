@@ -36,6 +36,23 @@ Result<Candidate> library(const char* file, const Material& material)
     return candidate;
 }
 
+// The same for one that is a layer, not only lit from nacre's block: its film's errors can be measured.
+Result<Candidate> layer(const char* file, const Material& material)
+{
+    Result<Candidate> candidate = library(file, material);
+    if (!candidate) return candidate;
+    Result<std::string> hook = readGlsl("film_library.glsl");
+    if (!hook) return hook.error();
+    candidate->film.glsl = *hook;
+    candidate->film.hasSubstrate = material.quality == Quality::physical;
+    candidate->film.block = [quality = material.quality](const test::FilmCase& film) -> Result<std::vector<unsigned char>> {
+        Result<Block> block = pack(test::materialOf(film, quality));
+        if (!block) return block.error();
+        return bytesOf(*block);
+    };
+    return candidate;
+}
+
 // Figure 3's material: an index per channel, both parts.
 Material dispersive()
 {
@@ -63,17 +80,24 @@ Result<Candidate> flat(const fs::path&)
     return candidate;
 }
 
-// Quality physical over a dielectric. filmOnly: its simplest variant, parallel boundaries, one index, no diffuse part.
-Result<Candidate> physicalFilm(bool filmOnly, bool withTable)
+// Quality physical over a dielectric, or over any substrate, compiled for metals too and timed over gold.
+// filmOnly: no tilt, no diffuse part, and over a dielectric one index for all channels.
+Result<Candidate> physicalFilm(bool filmOnly, bool withTable, bool hasMetals = false)
 {
     Material material = filmOnly ? oneIndex() : dispersive();
     material.quality = Quality::physical;
-    Result<Candidate> candidate = library("physical.glsl", material);
+    if (hasMetals) {
+        material.substrate = Substrate::metal;
+        material.substrateIndex = {0.155, 0.425, 1.345};
+        material.substrateAbsorption = {3.484, 2.453, 1.773};
+    }
+    Result<Candidate> candidate = layer("physical.glsl", material);
     if (!candidate) return candidate;
+    candidate->film.hasMetals = hasMetals;
     const auto define = [](const char* name, bool value) { return std::string("#define ") + name + (value ? " 1\n" : " 0\n"); };
     candidate->glsl = define("BENCH_FILM_ONLY", filmOnly) + define("BENCH_TABLE", withTable) + candidate->glsl;
-    candidate->switches = define("NACRE_METAL", false) + define("NACRE_NORMALISED", false);
-    if (filmOnly) candidate->switches += define("NACRE_TILT", false) + define("NACRE_DISPERSION", false);
+    candidate->switches = define("NACRE_METAL", hasMetals) + define("NACRE_NORMALISED", false);
+    if (filmOnly) candidate->switches += define("NACRE_TILT", false) + define("NACRE_DISPERSION", hasMetals);
     if (withTable) {
         Result<FringeTable> fringes = FringeTable::create();
         if (!fringes) return fringes.error();
@@ -90,15 +114,17 @@ Result<Candidate> physicalFilm(bool filmOnly, bool withTable)
 
 Result<Candidate> physicalAnalytic(const fs::path&) { return physicalFilm(true, false); }
 Result<Candidate> physicalTable(const fs::path&) { return physicalFilm(true, true); }
+Result<Candidate> physicalAny(const fs::path&) { return physicalFilm(true, false, true); }
+Result<Candidate> physicalAnyTable(const fs::path&) { return physicalFilm(true, true, true); }
 Result<Candidate> physicalFullAnalytic(const fs::path&) { return physicalFilm(false, false); }
 Result<Candidate> physicalFullTable(const fs::path&) { return physicalFilm(false, true); }
 
 Result<Candidate> phongLambert(const fs::path&) { return library("phong_lambert.glsl", dispersive()); }
-Result<Candidate> paperFull(const fs::path&) { return library("paper_full.glsl", dispersive()); }
+Result<Candidate> paperFull(const fs::path&) { return layer("paper_full.glsl", dispersive()); }
 
-Result<Candidate> paperFullNaive(const fs::path&) { return library("paper_full_naive.glsl", dispersive()); }
-Result<Candidate> paperParallel(const fs::path&) { return library("paper_parallel.glsl", oneIndex()); }
-Result<Candidate> paperParallelNaive(const fs::path&) { return library("paper_parallel_naive.glsl", oneIndex()); }
+Result<Candidate> paperFullNaive(const fs::path&) { return layer("paper_full_naive.glsl", dispersive()); }
+Result<Candidate> paperParallel(const fs::path&) { return layer("paper_parallel.glsl", oneIndex()); }
+Result<Candidate> paperParallelNaive(const fs::path&) { return layer("paper_parallel_naive.glsl", oneIndex()); }
 
 std::vector<CandidateEntry> withNaiveForms(std::vector<CandidateEntry> entries)
 {
@@ -126,6 +152,8 @@ const std::vector<CandidateEntry>& candidateEntries()
         {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
         {"physical-film", "quality physical, sampler-free: parallel boundaries, one index, dielectric, specular", physicalAnalytic},
         {"physical-film-table", "the same with the fringe table, 8 bits, linear", physicalTable},
+        {"physical-any", "quality physical, sampler-free: parallel boundaries, index per channel, any substrate, specular", physicalAny},
+        {"physical-any-table", "the same with the fringe table, 8 bits, linear", physicalAnyTable},
         {"physical-full", "quality physical, sampler-free: tilt, index per channel, dielectric, diffuse", physicalFullAnalytic},
         {"physical-full-table", "the same with the fringe table, 8 bits, linear", physicalFullTable},
         {std::string(referenceName), "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
