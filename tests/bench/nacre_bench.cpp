@@ -7,6 +7,7 @@
 
 #include "candidates.hpp"
 #include "chart.hpp"
+#include "film_sweep.hpp"
 #include "progress_bar.hpp"
 #include "report.hpp"
 #include "shader_text.hpp"
@@ -26,7 +27,7 @@ struct Options {
     FilmPlan films;
     std::string on = "both";
     std::string work = NACRE_BENCH_WORK_DIR;
-    std::string csvFile, filmCsvFile, markdownFile, plotFile;
+    std::string csvFile, filmCsvFile, markdownFile, plotFile, sweepFile;
     bool isList = false;
 };
 
@@ -104,6 +105,17 @@ void addFilms(Report& report, const Options& options, std::vector<Failure>& fail
     failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
 }
 
+// Its table goes after the others; what the picture lacks is noted.
+Result<std::string> addSweep(const Options& options, Report& report)
+{
+    ProgressBar bar("sweep");
+    Result<FilmSweep> sweep = sweepFilms(report.candidates, [&](double share) { bar.show(share); });
+    if (!sweep) return sweep.error();
+    if (Outcome written = demo::writeImage(sweep->picture, options.sweepFile); !written) return written.error();
+    for (const std::string& name : sweep->missing) report.notes.push_back(name + " is not in " + options.sweepFile);
+    return sweepTable(*sweep);
+}
+
 // A candidate whose picture is wrong has no speed anywhere.
 void removeFailed(Report& report, const std::vector<Failure>& failures)
 {
@@ -156,6 +168,7 @@ int main(int argc, char** argv)
     app.add_option("--csv", options.csvFile, "also write the numbers to this file");
     app.add_option("--film-csv", options.filmCsvFile, "also write every error, by bands of thickness too, to this file");
     app.add_option("--plot", options.plotFile, "also draw speed against error to this PNG; needs gnuplot");
+    app.add_option("--sweep", options.sweepFile, "also draw films by thickness and angle, beside their spectra, to this .png or .exr");
     app.add_option("--markdown", options.markdownFile, "also write the tables to this file");
     app.add_flag("--list", options.isList, "list the candidates and exit");
     app.failure_message([](const CLI::App*, const CLI::Error& error) { return std::string("nacre-bench: ") + error.what() + '\n'; });
@@ -168,6 +181,9 @@ int main(int argc, char** argv)
     if (!options.plotFile.empty()) {
         if (options.films.films == 0 || options.on == "none") return fail({"--plot needs speeds and errors: not --films 0, not --on none"});
         if (Outcome possible = checkPlot(options.plotFile); !possible) return fail(possible.error());
+    }
+    if (!options.sweepFile.empty()) {
+        if (Outcome writable = demo::checkWritable(options.sweepFile); !writable) return fail(writable.error());
     }
     options.plan.halfFloat = options.target == "rgba16f";
 
@@ -185,7 +201,13 @@ int main(int argc, char** argv)
     if (options.films.films > 0) addFilms(report, options, failures);
     removeFailed(report, failures);
 
-    const std::string tables = markdown(report);
+    std::string sweep;
+    if (!options.sweepFile.empty()) {
+        Result<std::string> drawn = addSweep(options, report);
+        if (!drawn) return fail(drawn.error());
+        sweep = *drawn;
+    }
+    const std::string tables = sweep + markdown(report);
     std::cout << tables << std::flush;
     if (!options.markdownFile.empty()) {
         if (Result<std::string> written = writeText(options.markdownFile, tables); !written) return fail(written.error());
@@ -200,6 +222,6 @@ int main(int argc, char** argv)
         if (Outcome drawn = plot(report, options.plotFile); !drawn) return fail(drawn.error());
     }
     for (const Failure& failure : failures) fail({failure.candidate + ": " + failure.message});
-    if (isEmpty(report)) return fail({"nothing could be measured"});
+    if (isEmpty(report) && sweep.empty()) return fail({"nothing could be measured"});
     return failures.empty() ? 0 : 1;
 }
