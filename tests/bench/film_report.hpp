@@ -33,6 +33,10 @@ struct FilmReport {
 /// progress: share done, 0 to 1. An error where there is no context or no set of films.
 Result<FilmReport> measureFilms(const std::vector<Candidate>& candidates, const FilmPlan& plan, const std::function<void(double)>& progress);
 
+/// nacre's candidates of quality physical whose mean is not below that of every peer, set by set. A peer is a film
+/// that does not come from the library.
+std::vector<Failure> beatenByPeers(const std::vector<Candidate>& candidates, const std::vector<FilmError>& errors);
+
 /// Null where there is none.
 const FilmError* find(const FilmReport& report, std::size_t candidate, std::size_t set);
 

@@ -179,8 +179,8 @@ int main(int argc, char** argv)
         return 0;
     }
     if (!options.plotFile.empty()) {
-        if (options.films.films == 0 || options.on == "none") return fail({"--plot needs speeds and errors: not --films 0, not --on none"});
         if (Outcome possible = checkPlot(options.plotFile); !possible) return fail(possible.error());
+        if (options.films.films == 0 || options.on == "none") return fail({"--plot needs speeds and errors: not --films 0, not --on none"});
     }
     if (!options.sweepFile.empty()) {
         if (Outcome writable = demo::checkWritable(options.sweepFile); !writable) return fail(writable.error());
