@@ -42,12 +42,6 @@ std::string faultOf(const FilmHook& hook, test::FilmSet set, const std::vector<g
     return "its colours are no films': mean difference " + fixed(mean) + " to their own, " + fixed(others) + " to other films";
 }
 
-// A renderer that nacre is compared with.
-bool isPeer(const Candidate& candidate)
-{
-    return !candidate.usesLibrary && !candidate.film.glsl.empty();
-}
-
 }  // namespace
 
 Result<FilmReport> measureFilms(const std::vector<Candidate>& candidates, const FilmPlan& plan, const std::function<void(double)>& progress)
@@ -121,6 +115,11 @@ std::vector<Failure> beatenByPeers(const std::vector<Candidate>& candidates, con
         }
     }
     return failures;
+}
+
+bool isPeer(const Candidate& candidate)
+{
+    return !candidate.usesLibrary && !candidate.film.glsl.empty();
 }
 
 const FilmError* find(const FilmReport& report, std::size_t candidate, std::size_t set)

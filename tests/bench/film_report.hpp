@@ -33,8 +33,10 @@ struct FilmReport {
 /// progress: share done, 0 to 1. An error where there is no context or no set of films.
 Result<FilmReport> measureFilms(const std::vector<Candidate>& candidates, const FilmPlan& plan, const std::function<void(double)>& progress);
 
-/// nacre's candidates of quality physical whose mean is not below that of every peer, set by set. A peer is a film
-/// that does not come from the library.
+/// A film that does not come from the library: another renderer's.
+bool isPeer(const Candidate& candidate);
+
+/// nacre's candidates of quality physical whose mean is not below that of every peer, set by set.
 std::vector<Failure> beatenByPeers(const std::vector<Candidate>& candidates, const std::vector<FilmError>& errors);
 
 /// Null where there is none.

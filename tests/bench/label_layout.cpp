@@ -6,7 +6,7 @@
 namespace nacre::bench {
 namespace {
 
-constexpr double pointRadius = 5.0;  // pixels that a mark covers, with some air
+constexpr double pointRadius = 6.0;  // pixels that a mark covers, with some air
 
 Box boxOf(double left, double middle, double width, double height)
 {

@@ -101,6 +101,9 @@ void addFilms(Report& report, const Options& options, std::vector<Failure>& fail
         report.notes.push_back("errors are left out: " + measured.error().message);
         return;
     }
+    if (std::none_of(report.candidates.begin(), report.candidates.end(), isPeer)) {
+        report.notes.push_back("nacre's errors are compared with nobody's: there is no peer");
+    }
     report.films = *measured;
     failures.insert(failures.end(), measured->failures.begin(), measured->failures.end());
 }
