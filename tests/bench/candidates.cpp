@@ -3,6 +3,8 @@
 //   2. add a line to candidateEntries() below;
 //   3. if it reads nothing but nacre_Block, its function is one line, library("NAME.glsl", material);
 //      else fill Candidate: a block of its own (blockName, block), tables (sampler, size, filter, texels).
+//   4. if it models a film, it has a FilmHook, or its errors are left out: layer() in place of library() where
+//      view and light are the library's; else GLSL with bench_film(), glsl/film.glsl.
 // Each of the library's stable forms made naive by itself is a candidate too, full-naive-NAME, from
 // naiveForms(). --candidates and the report take up the names by themselves.
 

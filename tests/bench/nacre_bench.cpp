@@ -1,4 +1,4 @@
-// Measures the speed of shader candidates, on llvmpipe and by RADV's compiler: see --help.
+// Measures the speed of shader candidates, on llvmpipe and by RADV's compiler, and the error of their films: see --help.
 
 #include <CLI/CLI.hpp>
 
@@ -145,7 +145,8 @@ int main(int argc, char** argv)
     CLI::App app{
         "Measures the speed of shaders that light a pixel: on llvmpipe with one thread, in interleaved rounds, and by what Mesa's "
         "RADV says of the code that it compiles for AMD's processors, which need not be there. Times are taken over a flat shader "
-        "with the same inputs and related to three.js, which with MaterialX is fetched through npm and pip on the first run."};
+        "with the same inputs and related to three.js, which with MaterialX is fetched through npm and pip on the first run. The same "
+        "shaders draw random films, whose colours are compared with their spectra: CIEDE2000."};
     app.add_option("--candidates", options.candidates, "only these, besides flat and three.js")
         ->delimiter(',')
         ->check(CLI::IsMember(candidateNames()));
