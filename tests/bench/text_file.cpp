@@ -22,7 +22,7 @@ Result<std::string> writeText(const std::filesystem::path& path, const std::stri
     namespace fs = std::filesystem;
     std::error_code error, ignored;
     const bool isFile = !fs::exists(path, ignored) || fs::is_regular_file(path, ignored);
-    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    const fs::path target = isFile && fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
     fs::path partial = target;
     if (isFile) partial.replace_filename(".nacre-" + std::to_string(getpid()) + ".partial");
     std::ofstream stream(partial, std::ios::binary);
