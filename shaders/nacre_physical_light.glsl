@@ -38,56 +38,62 @@ nacre_Film nacre_filmOf(nacre_Material m, nacre_PhysicalTerms t, int channel)
     return film;
 }
 
-// The specular part rho, a BRDF without the cosine. Where all channels have one film it is computed once.
-
 #if NACRE_FRINGE_TABLE
+
+// The film of one channel in the three of the fringes: where all channels have the same film, it is theirs.
+vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalView w, nacre_PhysicalTerms t, int channel, sampler2D fringeTable)
+{
+    nacre_Film film = nacre_filmOf(m, t, channel);
+    highp float pathPerRadian = 0.0;
+#if NACRE_METAL
+    pathPerRadian = w.pathPerRadian[channel];
+#endif
+    vec3 fringes = nacre_fringeSum(fringeTable, film, nacre_channel(t.path, channel), pathPerRadian);
+    return nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel));
+}
+
+// The specular part rho, a BRDF without the cosine.
 vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l, sampler2D fringeTable)
 {
     nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
 #if NACRE_SUBSTRATE_CHANNELS
-    vec3 rho;
-    for (int channel = 0; channel < 3; ++channel) {
-        nacre_Film film = nacre_filmOf(m, t, channel);
-        float pathPerRadian = 0.0;
-#if NACRE_METAL
-        pathPerRadian = w.pathPerRadian[channel];
-#endif
-        vec3 fringes = nacre_fringeSum(fringeTable, film, nacre_channel(t.path, channel), pathPerRadian);
-        rho[channel] = nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel))[channel];
-    }
-    return rho;
+    return vec3(nacre_filmSpecular(m, w, t, 0, fringeTable).x, nacre_filmSpecular(m, w, t, 1, fringeTable).y,
+                nacre_filmSpecular(m, w, t, 2, fringeTable).z);
 #else
-    nacre_Film film = nacre_filmOf(m, t, 0);
-    return nacre_filmReflectance(film, nacre_fringeSum(fringeTable, film, t.path, 0.0), t.rootUpper, t.rootLower);
+    return nacre_filmSpecular(m, w, t, 0, fringeTable);
 #endif
 }
+
 #endif
 
 #if NACRE_SAMPLER_FREE
+
+// The same without a table.
+vec3 nacre_filmSpecular(nacre_Material m, nacre_PhysicalView w, nacre_PhysicalTerms t, int channel)
+{
+    nacre_Film film = nacre_filmOf(m, t, channel);
+    highp float path = nacre_channel(t.path, channel);
+    nacre_Fringe cosine = nacre_cosineFringe(path);
+    vec3 fringes;
+#if NACRE_METAL
+    if (m.substrate == NACRE_SUBSTRATE_METAL) fringes = vec3(nacre_fringeSumMetal(film, cosine, nacre_sineFringe(path), channel));
+    else fringes = nacre_fringeSum(film, cosine);
+#else
+    fringes = nacre_fringeSum(film, cosine);
+#endif
+    return nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel));
+}
+
 vec3 nacre_physicalSpecular(nacre_Material m, nacre_PhysicalView w, vec3 l)
 {
     nacre_PhysicalTerms t = nacre_physicalTerms(m, w, l);
 #if NACRE_SUBSTRATE_CHANNELS
-    vec3 rho;
-    for (int channel = 0; channel < 3; ++channel) {
-        nacre_Film film = nacre_filmOf(m, t, channel);
-        highp float path = nacre_channel(t.path, channel);
-        nacre_Fringe cosine = nacre_cosineFringe(path);
-        vec3 fringes;
-#if NACRE_METAL
-        if (m.substrate == NACRE_SUBSTRATE_METAL) fringes = vec3(nacre_fringeSumMetal(film, cosine, nacre_sineFringe(path), channel));
-        else fringes = nacre_fringeSum(film, cosine);
+    return vec3(nacre_filmSpecular(m, w, t, 0).x, nacre_filmSpecular(m, w, t, 1).y, nacre_filmSpecular(m, w, t, 2).z);
 #else
-        fringes = nacre_fringeSum(film, cosine);
-#endif
-        rho[channel] = nacre_filmReflectance(film, fringes, t.rootUpper, nacre_channel(t.rootLower, channel))[channel];
-    }
-    return rho;
-#else
-    nacre_Film film = nacre_filmOf(m, t, 0);
-    return nacre_filmReflectance(film, nacre_fringeSum(film, nacre_cosineFringe(t.path)), t.rootUpper, t.rootLower);
+    return nacre_filmSpecular(m, w, t, 0);
 #endif
 }
+
 #endif
 
 #endif

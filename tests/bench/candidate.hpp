@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include <nacre/features.hpp>
 #include <nacre/result.hpp>
+
+#include "film_error.hpp"
 
 namespace nacre::bench {
 
@@ -22,6 +26,15 @@ struct Table {
     std::vector<float> texels;  ///< Row by row, width · height · channels.
 };
 
+/// What a candidate makes of a film alone, so that its error can be measured beside its speed.
+struct FilmHook {
+    std::string glsl;  ///< Defines `vec3 bench_film(bench_Film f)`, glsl/film.glsl. Empty: it models no film.
+    bool hasMetals = true;  ///< false: compiled for dielectrics below the film only.
+    bool hasSubstrate = true;  ///< false: what lies below the film is a perfect mirror whatever the film says.
+    /// The bytes of the candidate's block for a film; none: bench_Film says it all.
+    std::function<Result<std::vector<unsigned char>>(const test::FilmCase&)> block;
+};
+
 /// A shader to be measured: GLSL that shades a point, and what it reads.
 ///
 /// The text defines
@@ -36,12 +49,15 @@ struct Candidate {
     std::string name;
     std::string glsl;
     bool usesLibrary = true;  ///< nacre's functions and nacre_Block stand before the text.
-    std::string switches;     ///< `#define` lines before the library: what nacre_config.glsl leaves to the host.
+    Features features{};      ///< What the library's text is assembled for.
+    bool isDetail = false;    ///< Not a way to shade, but one feature or form of one: not in the charts.
     std::string naiveForm;    ///< Of the library's forms, the one that is made naive; see naive_forms.hpp.
 
     std::string blockName;  ///< Of the std140 block; empty: none.
     std::vector<unsigned char> block;
     std::vector<Table> tables;
+
+    FilmHook film;
 };
 
 /// A candidate that cannot be measured, and why.

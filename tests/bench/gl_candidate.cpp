@@ -1,12 +1,12 @@
 #include "gl_candidate.hpp"
 
+#include <cstdlib>
+
 #include "gl/program.hpp"
 #include "shader_text.hpp"
 
 namespace nacre::bench {
 namespace {
-
-constexpr GLuint blockBinding = 1;
 
 struct TexelFormat {
     GLint internal;
@@ -21,26 +21,6 @@ TexelFormat texelFormat(const Table& table)
     if (table.channels == 1) return {pick(GL_R32F, GL_R16F, GL_R8), GL_RED};
     if (table.channels == 2) return {pick(GL_RG32F, GL_RG16F, GL_RG8), GL_RG};
     return {pick(GL_RGBA32F, GL_RGBA16F, GL_RGBA8), GL_RGBA};
-}
-
-GLuint makeTexture(const demo::GlFunctions& gl, const Table& table, const std::vector<float>& texels)
-{
-    const GLenum target = table.height > 0 ? GL_TEXTURE_2D : GL_TEXTURE_1D;
-    GLuint texture = 0;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(target, texture);
-    const GLint filter = table.filter == Table::Filter::linear ? GL_LINEAR : GL_NEAREST;
-    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
-    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    const TexelFormat format = texelFormat(table);
-    if (table.height > 0) {
-        gl.TexImage2D(target, 0, format.internal, table.width, table.height, 0, format.external, GL_FLOAT, texels.data());
-    } else {
-        gl.TexImage1D(target, 0, format.internal, table.width, 0, format.external, GL_FLOAT, texels.data());
-    }
-    return texture;
 }
 
 GLuint makeBuffer(const demo::GlFunctions& gl, std::vector<unsigned char> bytes)
@@ -67,7 +47,7 @@ Result<GLuint> makeProgram(const demo::GlFunctions& gl, const Candidate& candida
         return true;
     };
     if (!bind("bench_Frame", GlCandidate::frameBinding)) return Error{"the compiler removed bench_Frame"};
-    if (!candidate.blockName.empty() && !bind(candidate.blockName, blockBinding)) {
+    if (!candidate.blockName.empty() && !bind(candidate.blockName, GlCandidate::blockBinding)) {
         return Error{"the shader does not read its block " + candidate.blockName};
     }
     for (std::size_t unit = 0; unit < candidate.tables.size(); ++unit) {
@@ -80,6 +60,31 @@ Result<GLuint> makeProgram(const demo::GlFunctions& gl, const Candidate& candida
 }
 
 }  // namespace
+
+void drawInCallingThread()
+{
+    setenv("LP_NUM_THREADS", "0", 1);
+}
+
+GLuint makeTexture(const demo::GlFunctions& gl, const Table& table, const std::vector<float>& texels)
+{
+    const GLenum target = table.height > 0 ? GL_TEXTURE_2D : GL_TEXTURE_1D;
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(target, texture);
+    const GLint filter = table.filter == Table::Filter::linear ? GL_LINEAR : GL_NEAREST;
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    const TexelFormat format = texelFormat(table);
+    if (table.height > 0) {
+        gl.TexImage2D(target, 0, format.internal, table.width, table.height, 0, format.external, GL_FLOAT, texels.data());
+    } else {
+        gl.TexImage1D(target, 0, format.internal, table.width, 0, format.external, GL_FLOAT, texels.data());
+    }
+    return texture;
+}
 
 Result<GlCandidate> GlCandidate::create(const demo::GlFunctions& gl, const Candidate& candidate)
 {

@@ -8,6 +8,12 @@
 
 namespace nacre::bench {
 
+/// Makes llvmpipe draw in the thread that calls it. It reads this when the process first makes a context.
+void drawInCallingThread();
+
+/// The texture of a table, which holds `texels` and is bound to the active unit. The caller deletes it.
+GLuint makeTexture(const demo::GlFunctions& gl, const Table& table, const std::vector<float>& texels);
+
 /// A candidate in OpenGL: its programs, its block in a uniform buffer, its tables in textures.
 class GlCandidate {
 public:
@@ -25,8 +31,10 @@ public:
     /// Makes everything current for a draw: program, block, tables.
     void use(const demo::GlFunctions& gl, bool oneLight, Inputs inputs = Inputs::bound) const;
 
-    /// The uniform block of frame.glsl is read from this binding.
+    /// The uniform block of frame.glsl is read from this binding,
     static constexpr GLuint frameBinding = 0;
+    /// and the candidate's own from this one.
+    static constexpr GLuint blockBinding = 1;
 
 private:
     struct Texture {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "gl_candidate.hpp"
 #include "shader_text.hpp"
@@ -183,8 +182,7 @@ LlvmpipeTime summarizeRunner(const std::vector<std::vector<double>>& seconds, st
 Result<LlvmpipeReport> measureLlvmpipe(const std::vector<Candidate>& candidates, std::size_t reference, const LlvmpipePlan& plan,
                                        const std::function<void(double)>& progress)
 {
-    // Read when the driver starts. With 0 it draws in the calling thread.
-    setenv("LP_NUM_THREADS", "0", 1);
+    drawInCallingThread();
     Result<demo::Context> context = demo::Context::create();
     if (!context) return context.error();
     LlvmpipeReport report;

@@ -80,6 +80,10 @@ Result<Candidate> load(const fs::path& peers, bool isStandardSurface)
     candidate.usesLibrary = false;
     candidate.blockName = "bench_Material";
     candidate.block = bytesOf(Material{});
+    Result<std::string> film = readGlsl("film_materialx.glsl");
+    if (!film) return film.error();
+    candidate.film.glsl = *film;
+    candidate.film.hasMetals = isStandardSurface;
     return candidate;
 }
 

@@ -2,40 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+
+#include "table_text.hpp"
+#include "trade_off.hpp"
 
 namespace nacre::bench {
 namespace {
-
-std::string fixed(double value, int digits)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
-std::string row(const std::vector<std::string>& cells)
-{
-    std::string text = "|";
-    for (const std::string& cell : cells) text += ' ' + cell + " |";
-    return text + '\n';
-}
-
-// A header, its first column to the left and all others to the right.
-std::string header(const std::vector<std::string>& cells)
-{
-    std::string text = row(cells) + "| --- |";
-    for (std::size_t i = 1; i < cells.size(); ++i) text += " ---: |";
-    return text + '\n';
-}
-
-std::string csvLine(const std::vector<std::string>& cells)
-{
-    std::string text;
-    for (const std::string& cell : cells) text += cell + ',';
-    text.back() = '\n';
-    return text;
-}
 
 std::string median(const Summary& summary, int digits)
 {
@@ -126,17 +98,11 @@ std::string radvTable(const Report& report, const RadvReport& family)
     return text + '\n';
 }
 
-std::string csvName(std::string text)
-{
-    for (char& character : text) character = character == ',' ? ';' : character;
-    return text;
-}
-
 }  // namespace
 
 std::string markdown(const Report& report)
 {
-    std::string text;
+    std::string text = tradeOffTable(report) + scalingTables(report);
     if (report.llvmpipe) text += llvmpipeTable(report);
     for (const RadvReport& family : report.radv) {
         if (!family.shaders.empty()) text += radvTable(report, family);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "film_report.hpp"
 #include "llvmpipe.hpp"
 #include "radv.hpp"
 
@@ -15,6 +16,7 @@ struct Report {
     std::size_t reference = 0;          ///< Index of three.js; beyond the last where it is missing.
     std::optional<LlvmpipeReport> llvmpipe;
     std::vector<RadvReport> radv;
+    std::optional<FilmReport> films;
     std::vector<std::string> notes;  ///< What could not be had, a line each.
 };
 

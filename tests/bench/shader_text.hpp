@@ -20,4 +20,7 @@ std::string vertexShader(Dialect dialect);
 ///   straightLights  so many lights one after the other without a loop; 0: a loop over the block's count
 Result<std::string> fragmentShader(const Candidate& candidate, Dialect dialect, int straightLights);
 
+/// Library, frame, film.glsl, candidate, its bench_film and main as one text, GLSL 330: a film per pixel.
+Result<std::string> filmShader(const Candidate& candidate);
+
 }  // namespace nacre::bench

@@ -1,5 +1,7 @@
 #include "text_file.hpp"
 
+#include <unistd.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -15,9 +17,21 @@ Result<std::string> readText(const std::filesystem::path& path)
 
 Result<std::string> writeText(const std::filesystem::path& path, const std::string& text)
 {
-    std::ofstream stream(path, std::ios::binary);
-    if (!(stream << text << std::flush)) return Error{"cannot write " + path.string()};
-    return text;
+    // Beside it first: under its name stands the old file or the whole new one. What is no file, a terminal or
+    // a pipe, is written to as it is.
+    namespace fs = std::filesystem;
+    std::error_code error, ignored;
+    const bool isFile = !fs::exists(path, ignored) || fs::is_regular_file(path, ignored);
+    const fs::path target = isFile && fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+    fs::path partial = target;
+    if (isFile) partial.replace_filename(".nacre-" + std::to_string(getpid()) + ".partial");
+    std::ofstream stream(partial, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (isFile && stream) fs::rename(partial, target, error);
+    if (stream && !error) return text;
+    if (isFile) fs::remove(partial, ignored);
+    return Error{"cannot write " + path.string()};
 }
 
 Result<std::string> readGlsl(const char* file)

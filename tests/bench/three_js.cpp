@@ -115,6 +115,9 @@ Result<Candidate> loadThreeJs(const fs::path& peers)
     candidate.blockName = "bench_Material";
     candidate.block = bytesOf(Material{});
     candidate.tables = {*dfg};
+    Result<std::string> film = readGlsl("film_three_js.glsl");
+    if (!film) return film.error();
+    candidate.film.glsl = *film;
     return candidate;
 }
 

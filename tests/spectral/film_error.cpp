@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -59,17 +60,36 @@ std::vector<FilmCase> sweep(const FilmCase& film, double mostNm, double leastCos
     return films;
 }
 
-glm::dvec3 libraryColour(const FilmCase& film, const FringeTable* table)
+const std::vector<NamedSet>& filmSets()
+{
+    static const std::vector<NamedSet> sets{
+        {"dielectrics, 0-800 nm", FilmSet::dielectrics, 0.0, 800.0, 100.0},
+        {"metals, 0-800 nm, n and k per channel", FilmSet::metals, 0.0, 800.0, 100.0},
+        {"metals, 0-800 nm, n and k by wavelength", FilmSet::measuredMetals, 0.0, 800.0, 100.0},
+        {"dielectrics, 1-5 um", FilmSet::dielectrics, 1000.0, 5000.0, 1000.0},
+        {"metals, 1-5 um, n and k per channel", FilmSet::metals, 1000.0, 5000.0, 1000.0},
+    };
+    return sets;
+}
+
+Material materialOf(const FilmCase& film, Quality quality)
 {
     Material material;
-    material.quality = Quality::physical;
+    material.quality = quality;
     material.ior = glm::dvec3(film.index);
     material.upperExponent = material.lowerExponent = 0.0;
+    material.diffuseWeight = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
         material.substrateIndex[channel] = film.substrate[channel].real();
         material.substrateAbsorption[channel] = film.substrate[channel].imag();
         if (film.substrate[channel].imag() != 0.0) material.substrate = Substrate::metal;
     }
+    return material;
+}
+
+glm::dvec3 libraryColour(const FilmCase& film, const FringeTable* table)
+{
+    const Material material = materialOf(film, Quality::physical);
     const double sine = std::sqrt(1.0 - film.cosTheta * film.cosTheta);
     const Result<Evaluation> evaluation = evaluate(material, {{0, 0, 1}, {0, 0, 1}, film.thicknessNm}, {sine, 0.0, film.cosTheta},
                                                    {-sine, 0.0, film.cosTheta}, table);
@@ -109,6 +129,15 @@ std::vector<double> filmErrors(const std::vector<FilmCase>& films, const FringeT
     std::transform(films.begin(), films.end(), errors.begin(),
                    [&](const FilmCase& film) { return colourDifference(libraryColour(film, table), trueColour(film, observer)); });
     return errors;
+}
+
+std::vector<Band> byThickness(const std::vector<FilmCase>& films, const std::vector<double>& errors, double bandNm)
+{
+    std::map<int, std::vector<double>> errorsOf;
+    for (std::size_t i = 0; i < films.size(); ++i) errorsOf[static_cast<int>(films[i].thicknessNm / bandNm)].push_back(errors[i]);
+    std::vector<Band> bands;
+    for (const auto& [band, one] : errorsOf) bands.push_back({band * bandNm, (band + 1) * bandNm, figures(one)});
+    return bands;
 }
 
 }  // namespace nacre::test

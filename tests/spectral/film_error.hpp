@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nacre/fringe_table.hpp>
+#include <nacre/material.hpp>
 
 #include "spectral.hpp"
 
@@ -28,9 +29,21 @@ struct FilmCase {
 /// gives the same films everywhere.
 Result<std::vector<FilmCase>> randomFilms(FilmSet set, std::size_t count, unsigned seed, double leastNm, double mostNm);
 
+/// A set under a name, with its thicknesses.
+struct NamedSet {
+    const char* name;
+    FilmSet set;
+    double leastNm, mostNm;
+    double bandNm;  ///< By how much thicknesses are told apart.
+};
+/// All that are reported on; the first is what candidates are compared by.
+const std::vector<NamedSet>& filmSets();
+
 /// Every film at thicknesses from 0 to mostNm and cosines from leastCosine to 1.
 std::vector<FilmCase> sweep(const FilmCase& film, double mostNm, double leastCosine);
 
+/// The material that the library takes it for: no diffuse part, lobes that are 1 everywhere.
+Material materialOf(const FilmCase& film, Quality quality);
 /// The colour that the library gives it, quality physical; without a table: the sampler-free form.
 glm::dvec3 libraryColour(const FilmCase& film, const FringeTable* table);
 /// Its colour by the spectrum.
@@ -45,5 +58,13 @@ ErrorFigures figures(const std::vector<double>& errors);
 
 /// The error of each film.
 std::vector<double> filmErrors(const std::vector<FilmCase>& films, const FringeTable* table);
+
+/// The figures of all films of a band of thicknesses.
+struct Band {
+    double leastNm, mostNm;
+    ErrorFigures figures;  ///< worstAt counts within the band.
+};
+/// errors[i] is that of films[i]; bands without a film are left out.
+std::vector<Band> byThickness(const std::vector<FilmCase>& films, const std::vector<double>& errors, double bandNm);
 
 }  // namespace nacre::test

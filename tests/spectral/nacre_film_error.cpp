@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <iostream>
-#include <map>
 
 #include "csv_table.hpp"
 #include "film_error.hpp"
@@ -24,10 +23,10 @@ void report(const std::string& name, const std::vector<FilmCase>& films, const F
 {
     const std::vector<double> errors = filmErrors(films, table);
     print(name, figures(errors));
-    std::map<int, std::vector<double>> bands;
-    for (std::size_t i = 0; i < films.size(); ++i) bands[static_cast<int>(films[i].thicknessNm / bandNm)].push_back(errors[i]);
-    for (const auto& [band, one] : bands) {
-        print("    " + std::to_string(static_cast<int>(band * bandNm)) + "-" + std::to_string(static_cast<int>((band + 1) * bandNm)) + " nm", figures(one));
+    for (const Band& band : byThickness(films, errors, bandNm)) {
+        char where[40];
+        std::snprintf(where, sizeof where, "    %g-%g nm", band.leastNm, band.mostNm);
+        print(where, band.figures);
     }
 }
 
@@ -92,16 +91,7 @@ int main(int argc, char** argv)
     const FringeTable* table = form == "table" ? &*created : nullptr;
 
     std::printf("%-44s %7s %8s %8s %8s\n", ("fringes: " + form).c_str(), "films", "mean", "95 %", "worst");
-    struct Set {
-        const char* name;
-        FilmSet set;
-        double leastNm, mostNm, bandNm;
-    };
-    for (const Set& set : {Set{"dielectrics, 0-800 nm", FilmSet::dielectrics, 0.0, 800.0, 100.0},
-                           Set{"metals, 0-800 nm, n and k per channel", FilmSet::metals, 0.0, 800.0, 100.0},
-                           Set{"metals, 0-800 nm, n and k by wavelength", FilmSet::measuredMetals, 0.0, 800.0, 100.0},
-                           Set{"dielectrics, 1-5 um", FilmSet::dielectrics, 1000.0, 5000.0, 1000.0},
-                           Set{"metals, 1-5 um, n and k per channel", FilmSet::metals, 1000.0, 5000.0, 1000.0}}) {
+    for (const NamedSet& set : filmSets()) {
         Result<std::vector<FilmCase>> films = randomFilms(set.set, count, seed, set.leastNm, set.mostNm);
         if (!films) return fail(films.error());
         report(set.name, *films, table, set.bandNm);

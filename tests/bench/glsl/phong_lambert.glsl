@@ -11,6 +11,6 @@ bench_View bench_view(bench_Point p)
 vec3 bench_light(bench_Point p, bench_View w, vec3 l)
 {
     float cosTheta = max(dot(p.normal, l), 0.0);
-    float lobe = pow(max(dot(w.mirrored, l), 0.0), nacre_u_upperExponent);
-    return (nacre_u_specularWeight * nacre_u_normalReflectance * lobe + nacre_u_diffuseWeight * nacre_u_diffuseFringe) * cosTheta;
+    float lobe = pow(max(dot(w.mirrored, l), 0.0), nacre_packed[0].nacre_u_upperExponent);
+    return (nacre_packed[0].nacre_u_specularWeight * nacre_packed[0].nacre_u_normalReflectance * lobe + nacre_packed[0].nacre_u_diffuseWeight * nacre_packed[0].nacre_u_diffuseFringe) * cosTheta;
 }
