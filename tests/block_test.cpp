@@ -22,23 +22,33 @@ using namespace nacre::test;
 
 const char* const vertexShader = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
 
-// Uses every member, so that none is optimised away.
+// A material of every member is read by no one shader: what follows from the thickness is for those of a constant one.
+// So the two texts of all features, and of them with a constant thickness.
+std::vector<Features> wholeFeatures()
+{
+    Features constant;
+    constant.thickness = ThicknessSource::constant;
+    constant.lowerNormals = LowerNormals::constant;
+    return {Features{}, constant};
+}
+
 const char* const usesAll = R"(
 out vec4 colour;
+uniform sampler2D fringeTable;
 void main()
 {
     nacre_Material m = nacre_materialFromUniforms();
     nacre_Surface s = nacre_surface(m, vec3(0.0, 0.0, 1.0), vec4(1.0, 0.0, 0.0, 1.0), gl_FragCoord.xyz, mat3(1.0));
-    nacre_View w = nacre_view(m, s, vec3(0.0, 0.6, 0.8));
-    colour = vec4(nacre_light(m, w, normalize(gl_FragCoord.xyz)), 1.0) + vec4(m.cyclesPerUmTail, 1.0);
-    nacre_PhysicalView p = nacre_physicalView(m, s, vec3(0.0, 0.6, 0.8));
-    colour.xyz += nacre_qualityLight(m, p, normalize(gl_FragCoord.xyz));
+    nacre_Shading w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8));
+    colour = vec4(nacre_shade(m, w, normalize(gl_FragCoord.xyz)), 1.0);
+    w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8), fringeTable);
+    colour.xyz += nacre_shade(m, w, normalize(gl_FragCoord.xyz), fringeTable);
 }
 )";
 
-GLuint program(GlslUniforms uniforms, const char* main = usesAll)
+GLuint program(GlslUniforms uniforms, const char* main = usesAll, const Features& features = {})
 {
-    const std::string library = *glsl({330, false, uniforms});
+    const std::string library = *glsl({330, false, uniforms, features});
     const Result<GLuint> program = demo::linkProgram(context().gl(), vertexShader, library + main);
     if (!program) throw std::runtime_error(program.error().message);
     return *program;
@@ -54,11 +64,13 @@ TEST(Block, EveryMemberOfTheGlslBlockLiesWhereBlockHasIt)
     gl.GetActiveUniformBlockiv(id, index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
     gl.GetActiveUniformBlockiv(id, index, GL_UNIFORM_BLOCK_ACTIVE_UNIFORMS, &count);
     EXPECT_EQ(static_cast<std::size_t>(size), sizeof(Block));
-    EXPECT_EQ(static_cast<std::size_t>(count), blockMembers().size());
+    EXPECT_EQ(static_cast<std::size_t>(count), blockMembers().size() + 2);  // what fills the last two rows
     for (const BlockMember& member : blockMembers()) {
         GLuint uniform = 0;
         GLint offset = -1, type = 0;
-        gl.GetUniformIndices(id, 1, &member.uniform, &uniform);
+        const std::string name = std::string("nacre_Block.nacre_packed[0].") + member.uniform, plain = name.substr(12);
+        const char* names[] = {plain.c_str()};
+        gl.GetUniformIndices(id, 1, names, &uniform);
         ASSERT_NE(uniform, GL_INVALID_INDEX) << member.uniform;
         gl.GetActiveUniformsiv(id, 1, &uniform, GL_UNIFORM_OFFSET, &offset);
         gl.GetActiveUniformsiv(id, 1, &uniform, GL_UNIFORM_TYPE, &type);
@@ -78,6 +90,8 @@ TEST(Block, MembersCoverTheBlock)
         const std::size_t count = member.type == BlockMember::Type::vec3 ? 3 : 1;
         for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(words.insert(member.offset / 4 + i).second) << member.uniform;
     }
+    words.insert(offsetof(Block, unused0) / 4);
+    words.insert(offsetof(Block, unused1) / 4);
     EXPECT_EQ(words.size(), sizeof(Block) / 4);
     EXPECT_EQ(*words.rbegin(), sizeof(Block) / 4 - 1);
 }
@@ -85,32 +99,38 @@ TEST(Block, MembersCoverTheBlock)
 TEST(Uniforms, EveryValueArrives)
 {
     const demo::GlFunctions& gl = context().gl();
-    const GLuint id = program(GlslUniforms::plain);
-    const Result<Uniforms> uniforms = Uniforms::locate(context().getProcAddress(), id);
-    ASSERT_TRUE(uniforms) << uniforms.error().message;
     Material material = *preset("figure-3-right");
     material.quality = Quality::physical;  // no enumeration is left at 0, where a uniform starts
     material.substrate = Substrate::metal;
+    material.substrateAbsorption = glm::dvec3(3.0);
     material.lobes = Lobes::normalised;
     const Block block = *pack(material);
-    gl.UseProgram(id);
-    uniforms->set(block);
-    for (const BlockMember& member : blockMembers()) {
-        const GLint location = gl.GetUniformLocation(id, member.uniform);
-        ASSERT_GE(location, 0) << member.uniform;
-        float got[3] = {NAN, NAN, NAN};
-        if (member.type == BlockMember::Type::integer) {
-            GLint whole = -1;
-            gl.GetUniformiv(id, location, &whole);
-            std::memcpy(got, &whole, sizeof whole);
-        } else {
-            gl.GetUniformfv(id, location, got);
+    std::set<std::string> arrived;
+    for (const Features& features : wholeFeatures()) {
+        const GLuint id = program(GlslUniforms::plain, usesAll, features);
+        const Result<Uniforms> uniforms = Uniforms::locate(context().getProcAddress(), id);
+        ASSERT_TRUE(uniforms) << uniforms.error().message;
+        gl.UseProgram(id);
+        uniforms->set(block);
+        for (const BlockMember& member : blockMembers()) {
+            const GLint location = gl.GetUniformLocation(id, member.uniform);
+            if (location < 0) continue;  // not for these features
+            arrived.insert(member.uniform);
+            float got[3] = {NAN, NAN, NAN};
+            if (member.type == BlockMember::Type::integer) {
+                GLint whole = -1;
+                gl.GetUniformiv(id, location, &whole);
+                std::memcpy(got, &whole, sizeof whole);
+            } else {
+                gl.GetUniformfv(id, location, got);
+            }
+            const std::size_t size = member.type == BlockMember::Type::vec3 ? 12 : 4;
+            EXPECT_EQ(std::memcmp(got, reinterpret_cast<const char*>(&block) + member.offset, size), 0) << member.uniform;
         }
-        const std::size_t size = member.type == BlockMember::Type::vec3 ? 12 : 4;
-        EXPECT_EQ(std::memcmp(got, reinterpret_cast<const char*>(&block) + member.offset, size), 0) << member.uniform;
+        EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        gl.DeleteProgram(id);
     }
-    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-    gl.DeleteProgram(id);
+    EXPECT_EQ(arrived.size(), blockMembers().size());
 }
 
 // The README's shader, as it is printed there, behind the library's text.

@@ -57,6 +57,7 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
     const model::PhysicalView physical = model::physicalView(m, s, view, fringeTable);
     const model::View w = model::view(m, s, view);
     const model::Terms t = model::terms(m, w, light);
+    const bool hasNormals = dot(w.upperNormal, w.upperNormal) > 0.0 && dot(w.lowerNormal, w.lowerNormal) > 0.0;
 
     Evaluation e;
     if (material.quality == Quality::paper) {
@@ -64,7 +65,7 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
         e.R = t.sqrtR * t.sqrtR;
         e.T = t.sqrtT * t.sqrtT;
         const glm::dvec3 cosPhase = model::cosPhase(model::pathCycles(w.path, glm::dvec3(2.0)));
-        e.diffuse = w.cosTheta > 0.0 ? model::diffuseCoefficient(m.diffuseFringe, cosPhase) : glm::dvec3(0.0);
+        e.diffuse = hasNormals ? model::diffuseCoefficient(m.diffuseFringe, cosPhase) : glm::dvec3(0.0);
         e.shaded = model::light(m, w, light);
     } else {
         const model::PhysicalTerms p = model::physicalTerms(m, physical, light);
@@ -76,7 +77,7 @@ Result<Evaluation> evaluate(const Material& material, const Surface& surface, gl
         }
         model::Material unweighted = m;
         unweighted.diffuseWeight = 1.0;
-        e.diffuse = w.cosTheta > 0.0 ? model::physicalDiffuse(unweighted, s.thicknessUm, fringeTable) : glm::dvec3(0.0);
+        e.diffuse = hasNormals ? model::physicalDiffuse(unweighted, s.thicknessUm, fringeTable) : glm::dvec3(0.0);
         e.shaded = model::physicalWeighted(m, physical, light, e.rho);
     }
     const double cosTheta = glm::clamp(dot(w.upperNormal, light), 0.0, 1.0);

@@ -34,6 +34,10 @@ void main()
 
     nacre_View w = nacre_view(m, s, pointView());
     nacre_Terms t = nacre_terms(m, w, l);
+    // The coefficient is the layer's, wherever the viewer is: seen from above, without its weight.
+    bool hasNormals = dot(w.upperNormal, w.upperNormal) > 0.0 && dot(w.lowerNormal, w.lowerNormal) > 0.0;
+    nacre_Material unweighted = m;
+    unweighted.diffuseWeight = 1.0;
     if (m.quality == NACRE_QUALITY_PHYSICAL) {
         nacre_PhysicalView physical = nacre_physicalView(m, s, pointView() FRINGE_ARGUMENT);
         nacre_PhysicalTerms p = nacre_physicalTerms(m, physical, l);
@@ -43,17 +47,13 @@ void main()
             R[channel] = film.upper * p.rootUpper * p.rootUpper;
             T[channel] = film.lower * p.rootLower[channel] * p.rootLower[channel];
         }
-        nacre_Material unweighted = m;
-        unweighted.diffuseWeight = 1.0;
-        diffuse = nacre_physicalView(unweighted, s, pointView() FRINGE_ARGUMENT).diffuse;
+        diffuse = hasNormals ? nacre_physicalView(unweighted, s, s.upperNormal FRINGE_ARGUMENT).diffuse : vec3(0.0);
         shaded = nacre_physicalLight(m, physical, l FRINGE_ARGUMENT);
     } else {
         rho = nacre_specular(m, w, l);
         R = t.sqrtR * t.sqrtR;
         T = t.sqrtT * t.sqrtT;
-        nacre_Material unweighted = m;
-        unweighted.diffuseWeight = 1.0;
-        diffuse = nacre_view(unweighted, s, pointView()).diffuse;
+        diffuse = hasNormals ? nacre_view(unweighted, s, s.upperNormal).diffuse : vec3(0.0);
         shaded = nacre_light(m, w, l);
     }
     vec3 inside = nacre_refractedCosineSquared(m.etaSquared, m.oneMinusEtaSquared, clamp(dot(w.upperNormal, l), 0.0, 1.0));
