@@ -21,31 +21,9 @@ double greatest(glm::dvec3 a)
     return std::max({a.r, a.g, a.b});
 }
 
-// Whether the layer's noise does anything at all.
-bool hasNoise(const Material& m)
-{
-    return m.noiseOctaves >= 1 && m.noiseFrequency > 0.0;
-}
-
-LowerNormals lowerNormalsOf(const Material& m)
-{
-    const bool leansNowhere = m.deviationDegrees == 0.0;
-    // Beyond 90 degrees a lower normal without a gradient to follow points the other way.
-    const bool isUpright = m.deviationDegrees < 90.0;
-    switch (m.lowerNormal) {
-    case LowerNormal::parallel: return LowerNormals::parallel;
-    case LowerNormal::constant: return leansNowhere ? LowerNormals::parallel : LowerNormals::constant;
-    case LowerNormal::independent:
-        return leansNowhere || (m.noiseOctaves < 1 && isUpright) ? LowerNormals::parallel : LowerNormals::independent;
-    case LowerNormal::gradient:
-        return leansNowhere || (!hasNoise(m) && isUpright) ? LowerNormals::parallel : LowerNormals::gradient;
-    }
-    return LowerNormals::any;
-}
-
 ThicknessSource thicknessOf(const Material& m, LowerNormals lowerNormals)
 {
-    const bool isConstant = !hasNoise(m) || m.thicknessLeastNm == m.thicknessMostNm;
+    const bool isConstant = !model::hasNoise(m) || m.thicknessLeastNm == m.thicknessMostNm;
     return isConstant && lowerNormals != LowerNormals::gradient ? ThicknessSource::constant : ThicknessSource::noise;
 }
 
@@ -69,7 +47,7 @@ private:
 void chooseForms(Features& f, const Material& m, const FeatureOptions& options)
 {
     Budget budget(options.error, std::max(m.specularWeight, 0.0) + std::max(m.diffuseWeight, 0.0));
-    const bool hasPlainLobes = std::min(m.upperExponent, m.lowerExponent) >= 1.0 && !f.totalReflection;
+    const bool hasPlainLobes = std::min(m.upperExponent, m.lowerExponent) >= bounds::leastPlainExponent && !f.totalReflection;
     f.stableLobes = !(hasPlainLobes && budget.affords(bounds::at(bounds::builtInLobes, std::max(m.upperExponent, m.lowerExponent))));
     // A map may bring any thickness; the material's bounds are what is known of it.
     const double cycles = 2.0 * greatest(m.ior / m.wavelengthNm) * m.thicknessMostNm;
@@ -105,7 +83,7 @@ Result<Features> featuresOf(const Material& material, const FeatureOptions& opti
     f.dispersion = !areEqual(material.ior);
     const glm::dvec3 ior = material.ior;
     f.totalReflection = std::min({ior.r, ior.g, ior.b}) < material.iorOutside;
-    f.lowerNormals = lowerNormalsOf(material);
+    f.lowerNormals = static_cast<LowerNormals>(m.lowerNormal);
     f.thickness = thicknessOf(material, f.lowerNormals);
     if (options.thicknessMap) {
         f.thickness = ThicknessSource::map;
@@ -117,7 +95,12 @@ Result<Features> featuresOf(const Material& material, const FeatureOptions& opti
     f.fringes = options.fringes;
     f.lights = options.lights;
     chooseForms(f, material, options);
-    return canonical(f);
+    // What the lobes alone ask for, nothing asks for; what the diffuse part does may become one of a thickness that varies.
+    if (!f.specular) {
+        f.lowerNormals = LowerNormals::parallel;
+        f.totalReflection = f.metal = f.substrateChannels = f.normalised = f.stableLobes = false;
+    }
+    return f;
 }
 
 namespace {
@@ -152,7 +135,7 @@ Features join(const Features& a, const Features& b) noexcept
     f.polynomialCosine = a.polynomialCosine || b.polynomialCosine;
     f.lights = std::max(a.lights, b.lights);
     f.materials = std::max(a.materials, b.materials);
-    return canonical(f);
+    return f;
 }
 
 Features canonical(const Features& features) noexcept

@@ -29,6 +29,7 @@ nacre::Material material(const Input& input)
     material.wavelengthNm = input.wavelengthNm;
     material.upperExponent = input.upperExponent;
     material.lowerExponent = input.lowerExponent;
+    material.diffuseWeight = 1.0;  // the coefficient itself
     return material;
 }
 

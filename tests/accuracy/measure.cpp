@@ -1,6 +1,7 @@
 #include "measure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -111,35 +112,52 @@ bool isAtAnyJump(const Input& input)
 
 const char* const inputsAlone = "inputs alone";
 
-Result<std::vector<Measurement>> measureDriver(const demo::Context& context, const std::string& driver, std::size_t cases,
-                                               std::uint64_t seed, const std::string& naiveForm)
+// ρ, then the diffuse coefficient.
+static Result<std::array<Measurement, 2>> measure(const Shade& shade, const Region& region, std::size_t cases, std::uint64_t seed)
 {
-    Result<Shade> shade = Shade::create(context, naiveForm);
+    const std::vector<Input> inputs = makeInputs(region, cases, seed);
+    Result<GpuResults> got = onGpu(shade, inputs);
+    if (!got) return got.error();
+    std::vector<CaseError> rho(cases), diffuse(cases);
+    forEach(cases, [&](std::size_t i) {
+        const Reference expected = evaluate(inputs[i]);
+        rho[i].index = diffuse[i].index = i;
+        for (int channel = 0; channel < 3; ++channel) {
+            const double gotRho = got->rho[i][channel];
+            rho[i].error = std::max(rho[i].error, errorPerRho(gotRho, expected.rho[channel], expected.rho[channel]));
+            rho[i].isAtJump |= isAtJump(inputs[i], channel, gotRho, expected.rho[channel]);
+            diffuse[i].error = std::max(diffuse[i].error, errorPerRho(got->diffuse[i][channel], expected.diffuse[channel], expected.rho[channel]));
+        }
+    });
+    return std::array{summary(region, "rho", rho, inputs), summary(region, "diffuse", diffuse, inputs)};
+}
+
+Result<std::vector<Measurement>> measureDriver(const demo::Context& context, const std::string& driver, std::size_t cases,
+                                               std::uint64_t seed, const PointProgram::Options& options)
+{
+    Result<Shade> shade = Shade::create(context, options);
     if (!shade) return shade.error();
     std::vector<Measurement> measurements;
     for (const Region& region : regions()) {
-        const std::vector<Input> inputs = makeInputs(region, cases, seed);
-        Result<GpuResults> got = onGpu(*shade, inputs);
-        if (!got) return got.error();
-        std::vector<CaseError> rho(cases), diffuse(cases);
-        forEach(cases, [&](std::size_t i) {
-            const Reference expected = evaluate(inputs[i]);
-            rho[i].index = diffuse[i].index = i;
-            for (int channel = 0; channel < 3; ++channel) {
-                const double gotRho = got->rho[i][channel];
-                rho[i].error = std::max(rho[i].error, errorPerRho(gotRho, expected.rho[channel], expected.rho[channel]));
-                rho[i].isAtJump |= isAtJump(inputs[i], channel, gotRho, expected.rho[channel]);
-                diffuse[i].error = std::max(diffuse[i].error, errorPerRho(got->diffuse[i][channel], expected.diffuse[channel], expected.rho[channel]));
-            }
-        });
-        measurements.push_back(summary(region, "rho", rho, inputs));
-        measurements.push_back(summary(region, "diffuse", diffuse, inputs));
+        Result<std::array<Measurement, 2>> both = measure(*shade, region, cases, seed);
+        if (!both) return both.error();
+        measurements.insert(measurements.end(), both->begin(), both->end());
     }
     for (Measurement& measurement : measurements) {
         measurement.driver = driver;
         measurement.renderer = context.renderer();
     }
     return measurements;
+}
+
+Result<Measurement> measureRegion(const demo::Context& context, const Region& region, std::size_t cases, std::uint64_t seed,
+                                  const PointProgram::Options& options)
+{
+    Result<Shade> shade = Shade::create(context, options);
+    if (!shade) return shade.error();
+    Result<std::array<Measurement, 2>> both = measure(*shade, region, cases, seed);
+    if (!both) return both.error();
+    return both->front();
 }
 
 std::vector<Measurement> measureInputs(std::size_t cases, std::uint64_t seed)

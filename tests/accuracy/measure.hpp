@@ -30,9 +30,13 @@ struct Measurement {
 extern const char* const inputsAlone;
 
 /// The GLSL on one driver against the double-precision model; ρ, then the diffuse coefficient, of every region.
-/// naiveForm: of the GLSL's stable forms the one that is made naive, see naive_forms.hpp; empty: none.
+/// options: how the GLSL is assembled.
 Result<std::vector<Measurement>> measureDriver(const demo::Context& context, const std::string& driver, std::size_t cases,
-                                               std::uint64_t seed, const std::string& naiveForm = "");
+                                               std::uint64_t seed, const PointProgram::Options& options = {});
+
+/// The same for cases of one region, ρ alone.
+Result<Measurement> measureRegion(const demo::Context& context, const Region& region, std::size_t cases, std::uint64_t seed,
+                                  const PointProgram::Options& options);
 
 /// How far the double-precision model itself moves when every number of the input moves by half an ulp.
 std::vector<Measurement> measureInputs(std::size_t cases, std::uint64_t seed);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "command_line.hpp"
+#include "form_errors.hpp"
 #include "naive_forms.hpp"
 #include "process.hpp"
 #include "report.hpp"
@@ -35,7 +36,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::string markdown, csv, plot;
     std::string driver;  // set in the processes of the drivers
-    bool forms = false;
+    bool forms = false, bounds = false;
 };
 
 Result<std::string> readFile(const std::filesystem::path& path)
@@ -85,13 +86,13 @@ Result<std::vector<Measurement>> measureElsewhere(const Options& options, const 
 }
 
 // On the context at hand: what each stable form of the GLSL buys, and where.
-Outcome measureForms(const Options& options)
+Outcome measureNaiveForms(const Options& options)
 {
     Result<demo::Context> context = demo::Context::create();
     if (!context) return context.error();
     std::vector<Measurement> all;
     const auto measure = [&](const std::string& name, const std::string& form) -> Outcome {
-        Result<std::vector<Measurement>> measured = measureDriver(*context, name, options.cases, options.seed, form);
+        Result<std::vector<Measurement>> measured = measureDriver(*context, name, options.cases, options.seed, {form, {}, false});
         if (!measured) return measured.error();
         all.insert(all.end(), measured->begin(), measured->end());
         return std::monostate{};
@@ -104,6 +105,20 @@ Outcome measureForms(const Options& options)
     const std::string report = formsMarkdown(all);
     std::cout << report << std::flush;
     return options.markdown.empty() ? Outcome(std::monostate{}) : writeFile(options.markdown, report);
+}
+
+// On the context at hand: what lib/src/form_bounds.hpp states, and what it says now.
+Outcome measureFormBounds(const Options& options)
+{
+    Result<demo::Context> context = demo::Context::create();
+    if (!context) return context.error();
+    Result<std::vector<FormError>> errors = measureForms(*context, options.cases, options.seed);
+    if (!errors) return errors.error();
+    std::cout << "| form | up to | worst error | stated bound |\n| --- | ---: | ---: | ---: |\n";
+    for (const FormError& error : *errors) {
+        std::cout << "| " << error.form << " | " << error.upTo << ' ' << error.unit << " | " << error.worst << " | " << error.stated << " |\n";
+    }
+    return std::monostate{};
 }
 
 Outcome measureAll(const Options& options)
@@ -151,10 +166,11 @@ int main(int argc, char** argv)
     app.add_option("--csv", options.csv, "Write all percentiles and worst cases to this file; nacre-eval reads it");
     app.add_option("--plot", options.plot, "Draw the errors against the regions to this PNG, by gnuplot");
     app.add_flag("--forms", options.forms, "Instead: each stable form of the GLSL made naive by itself, the 99.9th percentile per region");
+    app.add_flag("--bounds", options.bounds, "Instead: what the cheap forms of the library's parts err at most, by the range that they depend on");
     app.add_option("--driver", options.driver, "")->group("");
     if (const std::optional<int> status = demo::parseCommandLine(app, argc, argv)) return *status;
 
-    const Outcome outcome = options.forms ? measureForms(options) : options.driver.empty() ? measureAll(options) : measureHere(options);
+    const Outcome outcome = options.bounds ? measureFormBounds(options) : options.forms ? measureNaiveForms(options) : options.driver.empty() ? measureAll(options) : measureHere(options);
     if (outcome) return 0;
     std::cerr << "nacre-accuracy: " << outcome.error().message << '\n';
     return 1;

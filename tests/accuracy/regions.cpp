@@ -128,6 +128,23 @@ Input belowOutside(Random& random)
 
 }  // namespace
 
+Region formRegion(double leastExponent, double mostExponent, double leastCycles, double mostCycles)
+{
+    const auto make = [=](Random& random) {
+        Input input = typicalMaterial(random);
+        const double ior = random.chance(0.2) ? 1.0 : random.uniform(1.0, 2.8), dispersion = random.chance(0.5) ? 0.0 : random.uniform(0.0, 0.08);
+        input.ior = glm::vec3(glm::dvec3(ior, ior + dispersion, ior + 2.5 * dispersion));
+        input.upperExponent = single(random.logUniform(leastExponent, mostExponent));
+        input.lowerExponent = single(random.logUniform(leastExponent, mostExponent));
+        const double cycles = random.uniform(leastCycles, mostCycles);
+        input.thicknessUm = single(0.5 * cycles * static_cast<double>(input.wavelengthNm.b) / 1000.0 / static_cast<double>(input.ior.b));
+        aim(random, input, random.chance(0.3) ? random.logUniform(1e-3, 0.2) : random.uniform(0.2, 1.0),
+            random.chance(0.5) ? 0.0 : random.uniform(0.0, glm::radians(60.0)));
+        return input;
+    };
+    return {"form", "of one range", make};
+}
+
 const std::vector<Region>& regions()
 {
     static const std::vector<Region> all = {

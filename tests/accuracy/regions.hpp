@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "inputs.hpp"
+
 #include "random.hpp"
 
 namespace nacre::test {
@@ -11,9 +13,13 @@ namespace nacre::test {
 struct Region {
     const char* name;
     const char* meaning;
-    Input (*make)(Random& random);
+    std::function<Input(Random& random)> make;
 };
 
 const std::vector<Region>& regions();
+
+/// A layer of an index from the outside's to 3, exponents in [least, most] and the same thickness over wavelength in [leastCycles,
+/// mostCycles], 2 r1 d / λ of the blue channel; any light, any tilt: what the bounds of the cheap forms are measured over.
+Region formRegion(double leastExponent, double mostExponent, double leastCycles, double mostCycles);
 
 }  // namespace nacre::test

@@ -17,9 +17,9 @@ void main()
 
 }  // namespace
 
-Result<Shade> Shade::create(const demo::Context& context, const std::string& naiveForm)
+Result<Shade> Shade::create(const demo::Context& context, const PointProgram::Options& options)
 {
-    Result<PointProgram> program = PointProgram::create(context, rhoAndDiffuse, 2, naiveForm);
+    Result<PointProgram> program = PointProgram::create(context, rhoAndDiffuse, 2, options);
     if (!program) return program.error();
     return Shade(std::move(*program));
 }

@@ -9,8 +9,7 @@ namespace nacre::test {
 /// ρ and the diffuse coefficient by the library's GLSL.
 class Shade {
 public:
-    /// naiveForm: see naive_forms.hpp; empty: none.
-    static Result<Shade> create(const demo::Context& context, const std::string& naiveForm = "");
+    static Result<Shade> create(const demo::Context& context, const PointProgram::Options& options = {});
 
     /// At most PointProgram::most points and materials. The vectors are resized to the points; w is 1.
     Outcome run(const std::vector<Block>& materials, const std::vector<GpuPoint>& points, std::vector<glm::vec4>& rho,

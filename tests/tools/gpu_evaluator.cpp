@@ -71,7 +71,7 @@ void main()
 Result<GpuEvaluator> GpuEvaluator::create(const demo::Context& context, FringeForm form)
 {
     const std::string define = std::string("#define FRINGE_TABLE ") + (form == FringeForm::table ? "1" : "0");
-    Result<PointProgram> program = PointProgram::create(context, define + everyTerm, targets);
+    Result<PointProgram> program = PointProgram::create(context, define + everyTerm, targets, {});
     if (!program) return program.error();
     GpuEvaluator evaluator(std::move(*program));
     if (form == FringeForm::analytic) return evaluator;

@@ -22,8 +22,7 @@ void main()  // one triangle that covers the picture
 }
 )";
 
-// The block's integers for noise and lower normal are not needed: directions and thickness are inputs.
-const char* const inputFunctions = R"(
+const char* const fetchFunctions = R"(
 uniform sampler2D materials;
 uniform sampler2D points;
 
@@ -36,41 +35,53 @@ vec4 materialTexel(int material, int index)
 {
     return texelFetch(materials, ivec2(material % SIDE * BLOCK_TEXELS + index, material / SIDE), 0);
 }
+)";
 
+// The block's integers for noise and lower normal are not needed: directions and thickness are inputs. Members
+// that the features leave out are not there to be set; those of a constant thickness are not meant here.
+const char* const materialOfThePoint = R"(
 nacre_Material pointMaterial()
 {
     int material = int(pointTexel(1).w);
     nacre_Material m;
-    vec4 texel = materialTexel(material, 0);
-    m.eta = texel.xyz;
-    m.upperExponent = texel.w;
-    texel = materialTexel(material, 1);
-    m.etaSquared = texel.xyz;
-    m.lowerExponent = texel.w;
-    texel = materialTexel(material, 2);
-    m.oneMinusEtaSquared = texel.xyz;
-    m.specularWeight = texel.w;
-    texel = materialTexel(material, 3);
-    m.normalReflectance = texel.xyz;
-    m.diffuseWeight = texel.w;
+    vec4 first = materialTexel(material, 0), second = materialTexel(material, 1), third = materialTexel(material, 2);
+    m.upperExponent = first.w;
+    m.etaSquared = nacre_Channels(second.xyz);
+    m.lowerExponent = second.w;
+    m.oneMinusEtaSquared = nacre_Channels(third.xyz);
+    m.specularWeight = third.w;
+    m.diffuseWeight = materialTexel(material, 3).w;
+    m.diffuseFringe = nacre_Channels(materialTexel(material, 6).xyz);
+    m.eta = nacre_Channels(first.xyz);
+#if NACRE_PAPER
+    m.normalReflectance = nacre_Channels(materialTexel(material, 3).xyz);
     m.cyclesPerUm = materialTexel(material, 4).xyz;
     m.cyclesPerUmTail = materialTexel(material, 5).xyz;
-    m.diffuseFringe = materialTexel(material, 6).xyz;
-    texel = materialTexel(material, 9);
-    m.index = texel.xyz;
-    m.upperScale = texel.w;
-    texel = materialTexel(material, 10);
-    m.substrateReal = texel.xyz;
-    m.lowerScale = texel.w;
+#endif
+#if NACRE_PHYSICAL
+    m.index = nacre_Channels(materialTexel(material, 9).xyz);
+    m.upperScale = materialTexel(material, 9).w;
+    m.substrateReal = materialTexel(material, 10).xyz;
+    m.lowerScale = materialTexel(material, 10).w;
     m.substrateImaginary = materialTexel(material, 11).xyz;
     m.diffuseAlbedo = materialTexel(material, 12).xyz;
     int choices = int(pointTexel(2).w);
     m.quality = choices % 4;
     m.substrate = choices / 4 % 4;
     m.lobes = choices / 16;
+#endif
     return m;
 }
+)";
 
+const char* const materialOfTheBlock = R"(
+nacre_Material pointMaterial()
+{
+    return nacre_materialFromUniforms();
+}
+)";
+
+const char* const inputFunctions = R"(
 nacre_Surface pointSurface()
 {
     nacre_Surface s;
@@ -119,22 +130,28 @@ void upload(const demo::GlFunctions& gl, GLenum unit, GLuint texture, const Item
 
 }  // namespace
 
-Result<PointProgram> PointProgram::create(const demo::Context& context, const std::string& main, int targets, const std::string& naiveForm)
+Result<PointProgram> PointProgram::create(const demo::Context& context, const std::string& main, int targets, const Options& options)
 {
     PointProgram points(context);
     const demo::GlFunctions& gl = context.gl();
 
-    Result<std::string> library = glsl({330, false, GlslUniforms::none});
-    if (library && !naiveForm.empty()) library = withNaiveForm(*library, naiveForm);
+    const GlslUniforms uniforms = options.readsTheBlock ? GlslUniforms::block : GlslUniforms::none;
+    Result<std::string> library = glsl({330, false, uniforms, options.features});
+    if (library && !options.naiveForm.empty()) library = withNaiveForm(*library, options.naiveForm);
     if (!library) return library.error();
     const std::string sizes = define("SIDE", side) + define("BLOCK_TEXELS", blockTexels) + define("POINT_TEXELS", pointTexels);
-    Result<GLuint> program = demo::linkProgram(gl, vertexShader, *library + sizes + inputFunctions + main);
+    const std::string material = options.readsTheBlock ? materialOfTheBlock : materialOfThePoint;
+    Result<GLuint> program = demo::linkProgram(gl, vertexShader, *library + sizes + fetchFunctions + material + inputFunctions + main);
     if (!program) return program.error();
     points.program_ = *program;
     gl.UseProgram(points.program_);
     gl.Uniform1i(gl.GetUniformLocation(points.program_, "materials"), 0);
     gl.Uniform1i(gl.GetUniformLocation(points.program_, "points"), 1);
 
+    if (options.readsTheBlock) {
+        gl.GenBuffers(1, &points.block_);
+        gl.UniformBlockBinding(points.program_, gl.GetUniformBlockIndex(points.program_, "nacre_Block"), 0);
+    }
     gl.GenVertexArrays(1, &points.vertexArray_);
     gl.GenTextures(1, &points.materials_);
     makeTexture(gl, points.materials_, side * blockTexels);
@@ -160,6 +177,24 @@ Result<PointProgram> PointProgram::create(const demo::Context& context, const st
 void PointProgram::setMaterials(const Block* blocks, std::size_t count) const
 {
     upload(*gl_, GL_TEXTURE0, materials_, blocks, count);
+}
+
+void PointProgram::setBlock(const Block& block) const
+{
+    gl_->BindBuffer(GL_UNIFORM_BUFFER, block_);
+    gl_->BufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+    gl_->BindBufferBase(GL_UNIFORM_BUFFER, 0, block_);
+}
+
+void PointProgram::destroy() const
+{
+    gl_->DeleteProgram(program_);
+    gl_->DeleteVertexArrays(1, &vertexArray_);
+    gl_->DeleteFramebuffers(1, &framebuffer_);
+    gl_->DeleteTextures(1, &materials_);
+    gl_->DeleteTextures(1, &points_);
+    gl_->DeleteTextures(static_cast<GLsizei>(outputs_.size()), outputs_.data());
+    if (block_ != 0) gl_->DeleteBuffers(1, &block_);
 }
 
 void PointProgram::bindTexture(const char* sampler, int unit, GLuint texture) const

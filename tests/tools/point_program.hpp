@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include <nacre/block.hpp>
+#include <nacre/features.hpp>
 #include <nacre/result.hpp>
 
 #include "gl/context.hpp"
@@ -44,23 +45,32 @@ public:
     /// Most points, and most materials, of one draw().
     static constexpr std::size_t most = 65536;
 
-    /// targets: how many vec4 `main` writes, from location 0 on. naiveForm: see naive_forms.hpp; empty: none.
-    static Result<PointProgram> create(const demo::Context& context, const std::string& main, int targets,
-                                       const std::string& naiveForm = "");
+    /// How the library's text is assembled.
+    struct Options {
+        std::string naiveForm;       ///< See naive_forms.hpp; empty: none.
+        Features features{};
+        bool readsTheBlock = false;  ///< pointMaterial() is nacre_materialFromUniforms(), the same for all points: setBlock.
+    };
+
+    /// targets: how many vec4 `main` writes, from location 0 on.
+    static Result<PointProgram> create(const demo::Context& context, const std::string& main, int targets, const Options& options);
 
     void setMaterials(const Block* blocks, std::size_t count) const;
+    void setBlock(const Block& block) const;
     /// A texture of the caller's for a sampler in `main`, at a unit from 2 on.
     void bindTexture(const char* sampler, int unit, GLuint texture) const;
     void draw(const GpuPoint* points, std::size_t count) const;
     /// The first `count` pixels of the last draw.
     void read(int target, glm::vec4* pixels, std::size_t count) const;
+    /// Frees what the driver holds of it; most programs live as long as their test.
+    void destroy() const;
     /// Whether the driver reported an error since the last call.
     Outcome check() const;
 
 private:
     explicit PointProgram(const demo::Context& context) : gl_(&context.gl()) {}
     const demo::GlFunctions* gl_;
-    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, materials_ = 0, points_ = 0;
+    GLuint program_ = 0, vertexArray_ = 0, framebuffer_ = 0, materials_ = 0, points_ = 0, block_ = 0;
     std::vector<GLuint> outputs_;
 };
 

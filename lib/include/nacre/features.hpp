@@ -74,7 +74,8 @@ struct FeatureOptions {
 
 /// The least that shades the material: a part that would change no pixel is left out, and each of the others
 /// takes its cheapest form whose measured bound over the material's own range (lib/src/form_bounds.hpp)
-/// stays within the error. An invalid material is an error, as in `pack`.
+/// stays within the error. An invalid material is an error, as in `pack`. Not canonical: parts that are idle here may wake
+/// in a set's shader, see join.
 Result<Features> featuresOf(const Material& material, const FeatureOptions& options = {});
 
 /// A shader that serves the materials of both.

@@ -26,7 +26,22 @@ void deriveSubstrate(Material& m, const nacre::Material& material)
     m.substrate = k != dvec3(0.0) ? 1 : 0;  // a metal that does not absorb is a dielectric
 }
 
+// Boundaries that lean by nothing are parallel. Beyond 90 degrees a lower normal without a gradient to follow points the
+// other way, which is no such case.
+LowerNormal lowerNormalOf(const nacre::Material& m)
+{
+    const bool isUpright = m.deviationDegrees < 90.0;
+    const bool leansNowhere = m.deviationDegrees == 0.0 || (m.lowerNormal == LowerNormal::independent && m.noiseOctaves < 1 && isUpright) ||
+                              (m.lowerNormal == LowerNormal::gradient && !hasNoise(m) && isUpright);
+    return leansNowhere ? LowerNormal::parallel : m.lowerNormal;
+}
+
 }  // namespace
+
+bool hasNoise(const nacre::Material& material)
+{
+    return material.noiseOctaves >= 1 && material.noiseFrequency > 0.0;
+}
 
 Material derive(const nacre::Material& material)
 {
@@ -63,9 +78,10 @@ Material derive(const nacre::Material& material)
     m.upperScale = isNormalised ? std::sqrt((m.upperExponent + 2.0) / glm::two_pi<double>()) : 1.0;
     m.lowerScale = isNormalised ? std::sqrt((m.lowerExponent + 2.0) / glm::two_pi<double>()) : 1.0;
 
-    m.lowerNormal = static_cast<int>(material.lowerNormal);
+    const LowerNormal lowerNormal = lowerNormalOf(material);
+    m.lowerNormal = static_cast<int>(lowerNormal);
     // A shader that knows only of boundaries that lean takes parallel ones as such, leaning by 0.
-    const double deviation = material.lowerNormal == LowerNormal::parallel ? 0.0 : glm::radians(material.deviationDegrees);
+    const double deviation = lowerNormal == LowerNormal::parallel ? 0.0 : glm::radians(material.deviationDegrees);
     m.deviationCos = std::cos(deviation);
     m.deviationSin = std::sin(deviation);
     m.azimuthCos = std::cos(glm::radians(material.azimuthDegrees));

@@ -57,6 +57,9 @@ struct Surface {
     double thicknessUm;
 };
 
+/// Whether the layer's noise does anything at all.
+bool hasNoise(const nacre::Material& material);
+
 /// What the shaders get from the host: everything that follows from a valid material alone.
 Material derive(const nacre::Material& material);
 
