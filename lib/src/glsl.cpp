@@ -29,7 +29,7 @@ Result<std::string> glsl(const GlslOptions& options)
     if (options.es) text += "precision highp float;\nprecision highp int;\n";
 
     int source = 0;
-    for (const GlslFile& file : glslFiles()) {
+    for (const GlslFile& file : options.files ? *options.files : glslFiles()) {
         ++source;
         if (!isWanted(file, options.uniforms)) continue;
         text += "#line 1 " + std::to_string(source) + '\n';

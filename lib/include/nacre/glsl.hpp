@@ -28,6 +28,7 @@ struct GlslOptions {
     int version = 330;  ///< 330 to 460; with es: 300 to 320.
     bool es = false;
     GlslUniforms uniforms = GlslUniforms::block;
+    const std::vector<GlslFile>* files = nullptr;  ///< Other texts in place of glslFiles(), by the same names in the same order.
 };
 
 /// The library as one text for a shader, to be followed by the host's own declarations and `main`:
