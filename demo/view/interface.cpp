@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -42,16 +43,22 @@ ImGuiStyle style(float scale)
     style.FramePadding = {6.0F, 4.0F};
     style.ItemSpacing = {8.0F, 5.0F};
     style.CellPadding = {4.0F, 3.0F};
-    style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 1.0F};
+    style.Colors[ImGuiCol_WindowBg] = {0.145F, 0.15F, 0.16F, 1.0F};
     style.Colors[ImGuiCol_PopupBg] = {0.14F, 0.145F, 0.155F, 0.98F};
-    style.Colors[ImGuiCol_FrameBg] = {0.20F, 0.21F, 0.23F, 1.0F};
+    style.Colors[ImGuiCol_FrameBg] = {0.225F, 0.235F, 0.255F, 1.0F};
     style.Colors[ImGuiCol_FrameBgHovered] = {0.26F, 0.27F, 0.30F, 1.0F};
     style.Colors[ImGuiCol_FrameBgActive] = {0.30F, 0.32F, 0.36F, 1.0F};
-    style.Colors[ImGuiCol_SliderGrab] = {0.45F, 0.62F, 0.72F, 1.0F};
-    style.Colors[ImGuiCol_SliderGrabActive] = {0.60F, 0.80F, 0.90F, 1.0F};
+    style.Colors[ImGuiCol_SliderGrab] = {0.29F, 0.46F, 0.55F, 1.0F};
+    style.Colors[ImGuiCol_SliderGrabActive] = {0.36F, 0.56F, 0.66F, 1.0F};
     style.Colors[ImGuiCol_Button] = {0.24F, 0.33F, 0.39F, 1.0F};
     style.Colors[ImGuiCol_ButtonHovered] = {0.31F, 0.43F, 0.51F, 1.0F};
     style.Colors[ImGuiCol_ButtonActive] = {0.38F, 0.53F, 0.62F, 1.0F};
+    for (const ImGuiCol part : {ImGuiCol_Tab, ImGuiCol_TabUnfocused, ImGuiCol_Header}) style.Colors[part] = {0.20F, 0.26F, 0.30F, 1.0F};
+    for (const ImGuiCol part : {ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive, ImGuiCol_HeaderActive, ImGuiCol_TabHovered, ImGuiCol_HeaderHovered}) {
+        style.Colors[part] = {0.27F, 0.42F, 0.50F, 1.0F};
+    }
+    style.Colors[ImGuiCol_CheckMark] = {0.60F, 0.82F, 0.92F, 1.0F};
+    style.Colors[ImGuiCol_TitleBgActive] = {0.20F, 0.29F, 0.34F, 1.0F};
     style.Colors[ImGuiCol_TextDisabled] = {0.62F, 0.64F, 0.67F, 1.0F};
     style.ScaleAllSizes(scale);
     return style;
@@ -59,12 +66,14 @@ ImGuiStyle style(float scale)
 
 }  // namespace
 
-Interface::Interface(const Window& window)
+Interface::Interface(const Window& window) : window_(window.handle())
 {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui::GetIO().UserData = this;
+    glfwSetKeyCallback(window_, &Interface::onKey);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     setScale(window.scale());
 }
@@ -74,6 +83,26 @@ Interface::~Interface()
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+}
+
+// Dear ImGui 1.86 looks at the keys once a frame: one that goes down and up within a slow frame it would never see.
+void Interface::onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers)
+{
+    Interface& self = *static_cast<Interface*>(ImGui::GetIO().UserData);
+    const bool isUnseen = std::find(self.pressed_.begin(), self.pressed_.end(), key) != self.pressed_.end();
+    if (action == GLFW_RELEASE && isUnseen) {
+        self.released_.push_back({key, scancode, action, modifiers});
+        return;
+    }
+    if (action == GLFW_PRESS) self.pressed_.push_back(key);
+    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+}
+
+void Interface::releaseKeys()
+{
+    pressed_.clear();
+    for (const Key& key : released_) ImGui_ImplGlfw_KeyCallback(window_, key.key, key.scancode, key.action, key.modifiers);
+    released_.clear();
 }
 
 void Interface::setScale(float scale)
@@ -100,6 +129,7 @@ void Interface::end()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    releaseKeys();
 }
 
 }  // namespace nacre::demo

@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <vector>
+
+struct GLFWwindow;
+
 namespace nacre::demo {
 
 class Window;
@@ -23,6 +27,15 @@ public:
     void end();  ///< Draws into the framebuffer of the window.
 
 private:
+    struct Key {
+        int key, scancode, action, modifiers;
+    };
+    static void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+    void releaseKeys();
+
+    GLFWwindow* window_;
+    std::vector<Key> released_;  // whose press no frame has seen yet
+    std::vector<int> pressed_;   // since the last frame
     float scale_ = 0.0F;
     ImFont* code_ = nullptr;
 };

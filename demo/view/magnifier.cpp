@@ -113,7 +113,7 @@ void magnifier(const SceneView& view, const Renderer& renderer, ImVec2 mouse, Im
     const float em = ImGui::GetFontSize();
 
     // On the side of the mouse where there is room for it.
-    const ImVec2 window(22.5F * em, 33.0F * em), gap(1.5F * em, 1.5F * em);
+    const ImVec2 window(22.5F * em, 30.0F * em), gap(1.5F * em, 1.5F * em);
     const bool isLeft = mouse.x + gap.x + window.x > size.x;
     const float left = std::max(isLeft ? mouse.x - gap.x - window.x : mouse.x + gap.x, 0.0F);
     const float top = std::clamp(mouse.y - 0.5F * window.y, 0.0F, std::max(size.y - window.y, 0.0F));
@@ -125,10 +125,11 @@ void magnifier(const SceneView& view, const Renderer& renderer, ImVec2 mouse, Im
 
     const glm::dvec3 mean(view.mean(x, y));
     const SceneView::Sample sample = view.sample(x, y);
-    ImGui::Text("Pixel %d, %d", x, pixels.height - 1 - y);
+    const glm::dvec3 bytes = glm::round(255.0 * glm::dvec3(encoded(mean.r), encoded(mean.g), encoded(mean.b)));
+    ImGui::SameLine();
+    ImGui::Text("Pixel\n%d, %d\n\nsRGB\n%.0f, %.0f, %.0f", x, pixels.height - 1 - y, bytes.r, bytes.g, bytes.b);
     table("pixel", em);
     row("Linear", mean);
-    row("sRGB", glm::round(255.0 * glm::dvec3(encoded(mean.r), encoded(mean.g), encoded(mean.b))), "%.0f");
     row("Its middle", glm::dvec3(sample.colour));
     ImGui::EndTable();
     ImGui::Separator();

@@ -146,10 +146,10 @@ void Panel::drawModel(State& state, PanelRequests& requests, Log& log)
     ImGui::SetNextItemWidth(-2.0F * (button + gap));
     if (focusesModel_) ImGui::SetKeyboardFocusHere();
     focusesModel_ = false;
-    const std::string hint = state.model.filename().string() + " - drop another, or type";
+    const std::string hint = state.model.filename().string();
     const bool isEntered = ImGui::InputTextWithHint("##model", hint.c_str(), &state.modelField, ImGuiInputTextFlags_EnterReturnsTrue);
     log.widget("model");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Open: %s\nA .gltf or .glb file; Enter opens what is typed", state.model.string().c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Open: %s\nType the name of another .gltf or .glb file and Enter, or drop it on the window", state.model.string().c_str());
     ImGui::SameLine();
     if ((ImGui::Button("Open", {button, 0.0F}) || isEntered) && !state.modelField.empty()) requests.openModel = state.modelField;
     log.widget("open");
@@ -172,6 +172,11 @@ void Panel::drawCompare(State& state, PanelRequests& requests, Log& log)
         presetCombo("##left", state.looks[0], log);
         labelled("Right");
         presetCombo("##right", state.looks[1], log);
+    }
+    if (state.comparison == Comparison::quality) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("Physical divides the diffuse part by π, as a BRDF is; the paper does not, so that its side is brighter.");
+        ImGui::PopTextWrapPos();
     }
     if (state.comparison == Comparison::layer) {
         ImGui::PushTextWrapPos(0.0F);

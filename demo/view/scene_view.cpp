@@ -9,7 +9,7 @@
 namespace nacre::demo {
 namespace {
 
-constexpr double quickMilliseconds = 70.0;   // a drag still follows the hand
+constexpr double slowMilliseconds = 70.0;    // above it a drag no longer follows the hand
 constexpr double bandMilliseconds = 60.0;    // between two looks at the mouse
 constexpr double mostFineBytes = 300e6;      // colour and depth of the fine picture
 
@@ -68,10 +68,12 @@ SceneView::~SceneView()
     gl_.DeleteFramebuffers(1, &framebuffer_);
 }
 
-SceneView::Layout SceneView::quick() const
+// Coarser where a drag would lag, finer again where there is time for it: a step each time, since what part of the
+// time goes with the pixels is the driver's own affair.
+void SceneView::keepPace()
 {
-    const int coarse = static_cast<int>(std::ceil(std::sqrt(passMilliseconds_ / quickMilliseconds)));
-    return {1, std::clamp(coarse, 1, 3)};
+    if (quickMilliseconds_ > slowMilliseconds) coarse_ = std::min(coarse_ + 1, 3);
+    else if (quickMilliseconds_ < 0.3 * slowMilliseconds) coarse_ = std::max(coarse_ - 1, 1);
 }
 
 int SceneView::finest() const
@@ -115,7 +117,7 @@ Outcome SceneView::draw(const Renderer& renderer, const ScenePicture& picture)
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shown_, 0);
         fineTarget_.reset();
     }
-    layout_ = quick();
+    layout_ = {1, coarse_};
     const Size size = texels(layout_);
     if (!target_ || target_->width() != size.width || target_->height() != size.height) {
         target_ = std::make_unique<FloatTarget>(gl_, size.width, size.height);
@@ -124,10 +126,11 @@ Outcome SceneView::draw(const Renderer& renderer, const ScenePicture& picture)
     const Stopwatch watch;
     Outcome drawn = drawHalves(renderer, *target_, 0, size.height);
     gl_.Finish();
-    passMilliseconds_ = watch.milliseconds() * layout_.coarse * layout_.coarse;
+    quickMilliseconds_ = watch.milliseconds();
+    if (draws_ > 0) keepPace();  // drivers compile in the first one
     shownSamples_ = layout_.coarse > 1 ? 0 : 1;
     restSamples_ = finest();
-    fineRow_ = 0;
+    fineRow_ = bandRows_ = 0;
     ++draws_;
     resolve();
     return drawn;
@@ -144,12 +147,13 @@ Outcome SceneView::refine(const Renderer& renderer)
         shownSamples_ = restSamples_;
         return std::monostate{};
     }
-    const double whole = std::max(passMilliseconds_ * restSamples_ * restSamples_, 1e-3);
-    const int rows = std::max(static_cast<int>(std::min(bandMilliseconds / whole, 1.0) * size.height), 16);
-    const int until = std::min(fineRow_ + rows, size.height);
+    if (bandRows_ == 0) bandRows_ = std::max(size.height / 16, 1);
+    const int until = std::min(fineRow_ + bandRows_, size.height);
+    const Stopwatch watch;
     Outcome drawn = drawHalves(renderer, *fineTarget_, fineRow_, until);
     gl_.Finish();
     fineRow_ = until;
+    if (watch.milliseconds() < bandMilliseconds) bandRows_ *= 2;
     if (drawn && until < size.height) return drawn;
     shownSamples_ = restSamples_;
     if (!drawn) return drawn;

@@ -62,8 +62,9 @@ public:
     /// The pixel's linear colour, the mean of its samples.
     glm::vec3 mean(int x, int y) const;
 
-    double millisecondsPerPass() const { return passMilliseconds_; }  ///< Of one sample for each pixel.
-    int samples() const { return shownSamples_; }                     ///< Per pixel and axis; 0: fewer than one.
+    double quickMilliseconds() const { return quickMilliseconds_; }  ///< Of the last draw().
+    int coarse() const { return coarse_; }                           ///< Pixels per sample and axis in the next draw().
+    int samples() const { return shownSamples_; }                    ///< Per pixel and axis; 0: fewer than one.
     long draws() const { return draws_; }
 
 private:
@@ -71,7 +72,7 @@ private:
     struct Layout {
         int samples, coarse;  // texels per pixel and axis, or pixels per texel
     };
-    Layout quick() const;
+    void keepPace();
     int finest() const;
     Size texels(Layout layout) const;
     Outcome drawHalves(const Renderer& renderer, const FloatTarget& target, int fromRow, int toRow) const;
@@ -87,7 +88,8 @@ private:
     std::unique_ptr<FloatTarget> target_, fineTarget_;
     Layout layout_{1, 1}, fineLayout_{1, 1};
     int shownSamples_ = 0, restSamples_ = 0, fineRow_ = 0;
-    double passMilliseconds_ = 0.0;
+    int coarse_ = 1, bandRows_ = 0;
+    double quickMilliseconds_ = 0.0;
     long draws_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include "material_options.hpp"
 #include "models.hpp"
+#include "numbers.hpp"
 #include "viewpoint_options.hpp"
 
 namespace nacre::demo {
@@ -16,6 +17,13 @@ std::string enumeration(const Parameter& parameter)
     if (std::holds_alternative<Quality Material::*>(parameter.member)) return "nacre::Quality::";
     if (std::holds_alternative<Substrate Material::*>(parameter.member)) return "nacre::Substrate::";
     return "nacre::Lobes::";
+}
+
+std::string spaced(const std::string& numbers)
+{
+    std::string text;
+    for (const std::string& number : split(numbers, ",")) text += (text.empty() ? "" : ", ") + number;
+    return text;
 }
 
 // Between single quotes, as a shell reads every character, with the quotes themselves set apart.
@@ -33,14 +41,14 @@ std::string quoted(const std::string& text)
 std::string snippet(const Look& look)
 {
     const Material base = baseOf(look.preset);
-    std::string code = "#include <nacre/nacre.hpp>\n\nnacre::Material material";
-    code += look.preset.empty() ? ";\n" : " = *nacre::preset(\"" + look.preset + "\");\n";
+    std::string code = "#include <nacre/nacre.hpp>\n\n";
+    code += look.preset.empty() ? "nacre::Material material;\n" : "auto material = *nacre::preset(\"" + look.preset + "\");\n";
     for (const Parameter& parameter : parameters()) {
         const std::string value = valueText(look.material, parameter);
         if (value == valueText(base, parameter)) continue;
         code += "material." + std::string(parameter.name) + " = ";
         if (!choices(parameter).empty()) code += enumeration(parameter) + value;
-        else if (std::holds_alternative<glm::dvec3 Material::*>(parameter.member)) code += "glm::dvec3(" + value + ")";
+        else if (std::holds_alternative<glm::dvec3 Material::*>(parameter.member)) code += '{' + spaced(value) + '}';
         else code += value;
         code += ";\n";
     }

@@ -100,6 +100,7 @@ WindowEvents Viewer::waitForChange()
 {
     const Size size = window_.framebufferSize();
     const bool isSeen = size.width > 0 && size.height > 0;
+    if (framesLeft_ == 0 && !state_.turntable) log_.state("settled", std::to_string(frames_));
     if (isSeen && (framesLeft_ > 0 || state_.turntable || !view_->isFine())) return window_.wait(0.0);
     log_.state("rest", std::to_string(frames_));
     return shaders_ ? window_.wait(shaderSeconds) : window_.wait();
@@ -375,8 +376,9 @@ void Viewer::saveGlsl()
 std::string Viewer::status() const
 {
     const Size size = view_->size();
-    const std::string samples = view_->samples() == 0 ? "under 1 sample" : std::to_string(view_->samples()) + "x" + std::to_string(view_->samples()) + " samples";
-    return "Picture " + oneDecimal(view_->millisecondsPerPass()) + " ms a pass, " + std::to_string(size.width) + "x" + std::to_string(size.height) + ", " +
+    const auto square = [](int side) { return std::to_string(side) + 'x' + std::to_string(side); };
+    const std::string samples = view_->samples() > 0 ? square(view_->samples()) + " samples a pixel" : "coarse";
+    return "Scene " + oneDecimal(view_->quickMilliseconds()) + " ms, " + std::to_string(size.width) + "x" + std::to_string(size.height) + ", now " +
            samples + "\nFrame " + oneDecimal(frameMilliseconds_) + " ms; " + driver_;
 }
 
@@ -396,7 +398,7 @@ void Viewer::report()
     log_.state("help", state_.help ? "1" : "0");
     log_.state("typing", io.WantTextInput ? "1" : "0");
     log_.state("draws", std::to_string(view_->draws()));
-    log_.state("pass-ms", oneDecimal(view_->millisecondsPerPass()));
+    log_.state("scene-ms", oneDecimal(view_->quickMilliseconds()) + ' ' + std::to_string(view_->coarse()));
     log_.state("frame-ms", oneDecimal(frameMilliseconds_));
     log_.state("samples", std::to_string(view_->samples()));
     log_.state("gl-errors", std::to_string(window_.glErrors()));

@@ -151,9 +151,9 @@ void Window::collectGlErrors(const char* where)
     while (const GLenum error = gl_.GetError()) countGlError("error " + std::to_string(error) + " while " + where);
 }
 
-void Window::onGlMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* window)
+void Window::onGlMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* window)
 {
-    if (type != GL_DEBUG_TYPE_ERROR) return;
+    if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;  // GLSL's are told where it is compiled
     const_cast<Window*>(static_cast<const Window*>(window))->countGlError(message);
 }
 
