@@ -17,7 +17,7 @@ namespace nacre::test {
 
 /// Asks again and again until it is so; false after the time that a slow machine may take.
 template <class Condition>
-bool comesTrue(Condition condition, std::chrono::milliseconds limit = std::chrono::seconds(15))
+bool comesTrue(Condition condition, std::chrono::milliseconds limit = std::chrono::seconds(30))
 {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (!condition()) {

@@ -93,6 +93,13 @@ protected:
         const auto all = lines();
         return !all.empty() && all.back().first == "rest";
     }
+    std::string tail() const
+    {
+        const auto all = lines();
+        std::string text;
+        for (std::size_t i = all.size() - std::min<std::size_t>(all.size(), 40); i < all.size(); ++i) text += all[i].first + ' ' + all[i].second + '\n';
+        return text;
+    }
     long number(const std::string& name) const { return std::atol(last(name).c_str()); }
 
     void xdotool(const std::string& command) const
@@ -117,7 +124,7 @@ protected:
 
     void expectLast(const std::string& name, const std::string& value)
     {
-        EXPECT_TRUE(comesTrue([&] { return last(name) == value; })) << name << " is " << last(name) << ", expected " << value << '\n' << output();
+        EXPECT_TRUE(comesTrue([&] { return last(name) == value; })) << name << " is " << last(name) << ", expected " << value << '\n' << output() << tail();
     }
 
     void move(int x, int y, const std::string& buttons = "000")
@@ -161,11 +168,27 @@ protected:
         move(toX, toY, "100");
         release();
     }
+    // Down and up again, of that many keys together.
+    void key(const std::string& name, int count = 1)
+    {
+        EXPECT_TRUE(comesTrue([&] { return isSettled() && last("keys").find("held") == std::string::npos; })) << last("keys");
+        const long before = number("keys");
+        xdotool("key " + name);
+        expectLast("keys", std::to_string(before + count));
+        settle();
+    }
+    // Into the field that has just got the keyboard: all that was in it is selected.
+    void typeOverAll(const std::string& text)
+    {
+        expectLast("typing", "1");
+        settle();
+        xdotool("type --delay 10 '" + text + "'");
+    }
     void type(const std::string& field, const std::string& text)
     {
         click(field);
-        expectLast("typing", "1");
-        xdotool("key ctrl+a type --delay 20 '" + text + "'");
+        typeOverAll(text);
+        expectLast("text:" + field, text);
         settle();
     }
 
@@ -275,7 +298,7 @@ TEST_F(ViewTest, PresetSliderAndViewReachThePictureAndItsCommand)
     EXPECT_GT(largestDifference(saved, renderAgain("--preset=figure-5-centre" + options.substr(options.find(" --orbit=")))), 1);
 
     type("picture-file", "no/such/picture.png");
-    xdotool("key ctrl+s");
+    key("ctrl+s", 2);
     expectLast("refused", "cannot write 'no/such/picture.png': there is no directory 'no/such'");
     expectToClose();
 }
@@ -286,10 +309,11 @@ TEST_F(ViewTest, OpensModelsAndRefusesBrokenOnes)
     const fs::path square = models.write("square.glb", nacre::test::square().glb());
     start();
     const auto open = [&](const std::string& file) {
-        xdotool("key ctrl+o");
-        expectLast("typing", "1");
-        xdotool("key ctrl+a type --delay 20 '" + file + "'");
-        xdotool("key Return");
+        expectLast("typing", "0");
+        key("ctrl+o", 2);
+        typeOverAll(file);
+        expectLast("text:model", file);
+        key("Return");
     };
     open(NACRE_TEST_DATA "/broken-buffer-index.gltf");
     EXPECT_TRUE(comesTrue([&] { return last("refused").find("broken-buffer-index.gltf': ") != std::string::npos; })) << last("refused");
@@ -309,21 +333,22 @@ TEST_F(ViewTest, ComparesAndMagnifies)
 {
     start({"--preset=figure-3-right"});
     for (const char* comparison : {"1 0.500000", "2 0.500000", "3 0.500000"}) {
-        xdotool("key c");
+        key("c");
         expectLast("comparison", comparison);
         settle();
     }
     const Place scene = placeOf("scene");
-    const int middle = (scene.left + scene.right) / 2, y = scene.bottom / 2;
-    drag(middle, y, middle - 200, y);
+    const int middle = (scene.left + scene.right) / 2, y = scene.bottom * 2 / 5;
+    drag(middle, y, middle - 60, y);
     const double divider = std::atof(last("comparison").c_str() + 2);
-    EXPECT_NEAR(divider, 0.5 - 200.0 / (scene.right - scene.left), 0.01);
+    EXPECT_NEAR(divider, 0.5 - 60.0 / (scene.right - scene.left), 0.01);
     EXPECT_EQ(last("viewpoint"), "");
 
     // The shader's colour at a point on either side, and what double precision makes of it. 1e-4 leaves float32's rounding
     // of position and normal room in a highlight; another pixel or another side would be off by a hundred times that.
-    xdotool("key m");
-    for (const int x : {middle - 240, middle - 120}) {
+    key("m");
+    expectLast("magnifier", "1");
+    for (const int x : {middle - 120, middle - 20}) {
         const std::string before = last("terms");
         move(x, y);
         ASSERT_TRUE(comesTrue([&] { return last("terms") != before; })) << "nothing is magnified";
@@ -347,7 +372,7 @@ TEST_F(ViewTest, SurvivesAnySize)
         expectLast("window", expected);
         settle();
     }
-    xdotool("key F1");
+    key("F1");
     expectLast("help", "1");
     settle();
     expectToClose();

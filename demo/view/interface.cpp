@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "window.hpp"
 
@@ -71,7 +72,8 @@ Interface::Interface(const Window& window) : window_(window.handle())
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    next_ = glfwSetKeyCallback(window_, nullptr);
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui::GetIO().UserData = this;
     glfwSetKeyCallback(window_, &Interface::onKey);
     ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -89,20 +91,25 @@ Interface::~Interface()
 void Interface::onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers)
 {
     Interface& self = *static_cast<Interface*>(ImGui::GetIO().UserData);
-    const bool isUnseen = std::find(self.pressed_.begin(), self.pressed_.end(), key) != self.pressed_.end();
-    if (action == GLFW_RELEASE && isUnseen) {
-        self.released_.push_back({key, scancode, action, modifiers});
-        return;
-    }
-    if (action == GLFW_PRESS) self.pressed_.push_back(key);
-    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+    if (self.next_) self.next_(window, key, scancode, action, modifiers);
+    self.pass({key, scancode, action, modifiers});
 }
 
-void Interface::releaseKeys()
+void Interface::pass(const Key& key)
+{
+    const bool isUnseen = std::find(pressed_.begin(), pressed_.end(), key.key) != pressed_.end();
+    if (!late_.empty() || (key.action == GLFW_RELEASE && isUnseen)) {
+        late_.push_back(key);
+        return;
+    }
+    if (key.action == GLFW_PRESS) pressed_.push_back(key.key);
+    ImGui_ImplGlfw_KeyCallback(window_, key.key, key.scancode, key.action, key.modifiers);
+}
+
+void Interface::catchUp()
 {
     pressed_.clear();
-    for (const Key& key : released_) ImGui_ImplGlfw_KeyCallback(window_, key.key, key.scancode, key.action, key.modifiers);
-    released_.clear();
+    for (const Key& key : std::exchange(late_, {})) pass(key);
 }
 
 void Interface::setScale(float scale)
@@ -129,7 +136,7 @@ void Interface::end()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    releaseKeys();
+    catchUp();
 }
 
 }  // namespace nacre::demo

@@ -25,17 +25,20 @@ public:
 
     void begin();
     void end();  ///< Draws into the framebuffer of the window.
+    bool isBehind() const { return !late_.empty(); }  ///< Another frame is due to keys that it has not seen.
 
 private:
     struct Key {
         int key, scancode, action, modifiers;
     };
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers);
-    void releaseKeys();
+    void pass(const Key& key);
+    void catchUp();
 
     GLFWwindow* window_;
-    std::vector<Key> released_;  // whose press no frame has seen yet
-    std::vector<int> pressed_;   // since the last frame
+    void (*next_)(GLFWwindow*, int, int, int, int) = nullptr;  // the window's own key callback
+    std::vector<int> pressed_;  // since the last frame
+    std::vector<Key> late_;     // a release whose press no frame has seen yet, and what came after it
     float scale_ = 0.0F;
     ImFont* code_ = nullptr;
 };

@@ -147,7 +147,7 @@ void Panel::drawModel(State& state, PanelRequests& requests, Log& log)
     if (focusesModel_) ImGui::SetKeyboardFocusHere();
     focusesModel_ = false;
     const std::string hint = state.model.filename().string();
-    const bool isEntered = ImGui::InputTextWithHint("##model", hint.c_str(), &state.modelField, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool isEntered = ImGui::InputTextWithHint("##model", hint.c_str(), &state.modelField, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     log.widget("model");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Open: %s\nType the name of another .gltf or .glb file and Enter, or drop it on the window", state.model.string().c_str());
     ImGui::SameLine();
@@ -225,13 +225,13 @@ void Panel::drawExport(State& state, ImFont* codeFont, PanelRequests& requests, 
     ImGui::Spacing();
     ImGui::TextUnformatted("Picture, as nacre-render draws it");
     labelled("File");
-    ImGui::InputText("##file", &state.pictureFile);
+    ImGui::InputText("##file", &state.pictureFile, ImGuiInputTextFlags_AutoSelectAll);
     log.widget("picture-file");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip(".png: sRGB, 8 bits; .exr: linear float");
     labelled("Size");
     const float button = 6.0F * ImGui::GetFontSize();
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::InputText("##size", &state.pictureSize);
+    ImGui::InputText("##size", &state.pictureSize, ImGuiInputTextFlags_AutoSelectAll);
     log.widget("picture-size");
     ImGui::SameLine();
     if (ImGui::Button("Save", {button, 0.0F})) requests.savePicture = true;

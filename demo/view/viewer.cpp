@@ -110,6 +110,7 @@ void Viewer::obey(const WindowEvents& events)
 {
     if (events.any) framesLeft_ = settlingFrames;
     if (events.resized) interface_.setScale(window_.scale());
+    keys_ += static_cast<long>(events.keys.size());
     for (const WindowEvents::Key& press : events.keys) {
         const bool isControl = (press.modifiers & GLFW_MOD_CONTROL) != 0;
         if (press.key == GLFW_KEY_ESCAPE) state_.help = false;
@@ -172,6 +173,7 @@ Outcome Viewer::frame()
     view_->present(0, size.height - view_->size().height);
     interface_.end();
     window_.collectGlErrors("drawing a frame");
+    if (interface_.isBehind()) framesLeft_ = settlingFrames;
     window_.show();
     frameMilliseconds_ = millisecondsSince(begin);
     if (frames_++ == 0) log_.event("first-frame-ms", oneDecimal(millisecondsSince(start_)));
@@ -389,20 +391,26 @@ void Viewer::report()
     const ImGuiIO& io = ImGui::GetIO();
     const auto whole = [](float value) { return std::to_string(static_cast<int>(value)); };
     const Size size = window_.framebufferSize();
+    log_.state("frame", std::to_string(frames_));  // first: who reads another line knows of the frame
     log_.state("window", std::to_string(size.width) + 'x' + std::to_string(size.height));
     log_.state("mouse", whole(io.MousePos.x) + ' ' + whole(io.MousePos.y) + ' ' + (io.MouseDown[0] ? "1" : "0") + (io.MouseDown[1] ? "1" : "0") + (io.MouseDown[2] ? "1" : "0"));
+    const bool isHeld = std::any_of(std::begin(io.KeysDown), std::end(io.KeysDown), [](bool isDown) { return isDown; });
+    log_.state("keys", std::to_string(keys_) + (isHeld ? " held" : ""));
     log_.state("preset", state_.look().preset.empty() ? "default" : state_.look().preset);
     log_.state("material", optionsText(state_.look().material, Material{}));
     log_.state("viewpoint", optionsText(state_.viewpoint));
     log_.state("comparison", std::to_string(static_cast<int>(state_.comparison)) + ' ' + std::to_string(state_.divider));
     log_.state("help", state_.help ? "1" : "0");
+    log_.state("magnifier", state_.magnifier ? "1" : "0");
+    log_.state("text:model", state_.modelField);
+    log_.state("text:picture-file", state_.pictureFile);
+    log_.state("text:picture-size", state_.pictureSize);
     log_.state("typing", io.WantTextInput ? "1" : "0");
     log_.state("draws", std::to_string(view_->draws()));
     log_.state("scene-ms", oneDecimal(view_->quickMilliseconds()) + ' ' + std::to_string(view_->coarse()));
     log_.state("frame-ms", oneDecimal(frameMilliseconds_));
     log_.state("samples", std::to_string(view_->samples()));
     log_.state("gl-errors", std::to_string(window_.glErrors()));
-    log_.state("frame", std::to_string(frames_));
 }
 
 }  // namespace nacre::demo

@@ -72,7 +72,7 @@ private:
     ImVec2 sceneSize_{1.0F, 1.0F};  // in the interface's units, from the upper left corner of the window
     bool isStale_ = true;           // the scene or its shaders are others than what was drawn
     int framesLeft_ = 0;            // that the interface needs to settle
-    long frames_ = 0;
+    long frames_ = 0, keys_ = 0;     // drawn; that went down
     double frameMilliseconds_ = 0.0;
 };
 
