@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <limits>
+#include <array>
+#include <charconv>
 #include <vector>
 
 #include "numbers.hpp"
@@ -36,10 +36,15 @@ std::vector<Option> options(Viewpoint& v)
              {{&v.light.x, -any, any}, {&v.light.y, -any, any}, {&v.light.z, -any, any}}}};
 }
 
+// The shortest digits that give the floats back.
 std::string valueText(const Option& option)
 {
     std::string text;
-    for (const Number& number : option.numbers) text += (text.empty() ? "" : ",") + numberText(*number.place);
+    for (const Number& number : option.numbers) {
+        std::array<char, 32> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number.place).ptr;
+        text += (text.empty() ? "" : ",") + std::string(digits.data(), end);
+    }
     return text;
 }
 

@@ -57,10 +57,10 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options)
     return created;
 }
 
+// GLFW is not terminated: that would unload the driver, which keeps threads and exit handlers of its own.
 Window::~Window()
 {
     if (window_) glfwDestroyWindow(window_);
-    glfwTerminate();
 }
 
 void Window::watch()
