@@ -7,8 +7,8 @@
 
 namespace nacre::demo {
 
-Outcome writeGallery(const Renderer& renderer, const std::filesystem::path& directory, int width, int height,
-                     const std::function<void(std::size_t, std::size_t)>& progress)
+Outcome writeGallery(const Renderer& renderer, const Viewpoint& viewpoint, const std::filesystem::path& directory,
+                     int width, int height, const std::function<void(std::size_t, std::size_t)>& progress)
 {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
@@ -17,7 +17,7 @@ Outcome writeGallery(const Renderer& renderer, const std::filesystem::path& dire
     const std::size_t total = presets().size() + 1;
     std::vector<LabelledImage> pictures;
     for (const Preset& preset : presets()) {
-        Result<Image> picture = renderer.render(preset.material, width, height);
+        Result<Image> picture = renderer.render(preset.material, width, height, viewpoint);
         if (!picture) return picture.error();
         Outcome written = writeImage(*picture, directory / (std::string(preset.name) + ".png"));
         if (!written) return written;

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <sstream>
 
 #include <nacre/validate.hpp>
+
+#include "numbers.hpp"
 
 namespace nacre::demo {
 namespace {
@@ -49,30 +50,12 @@ std::vector<double*> places(Material& material, const std::string& option)
     return all;
 }
 
-std::vector<std::string> split(const std::string& text, const std::string& separator)
-{
-    std::vector<std::string> parts;
-    std::size_t from = 0;
-    for (std::size_t to; (to = text.find(separator, from)) != std::string::npos; from = to + separator.size()) {
-        parts.push_back(text.substr(from, to - from));
-    }
-    parts.push_back(text.substr(from));
-    return parts;
-}
-
-bool parse(const std::string& text, double& value)
-{
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    stream >> value;
-    return stream && stream.eof();
-}
-
-std::string defaultText(const std::string& option)
+// All values of an option as the command line takes them: `90,170`, `66..76`.
+std::string valuesText(const Material& material, const std::string& option)
 {
     std::string text;
     for (const Parameter& parameter : sharing(option)) {
-        text += (text.empty() ? "" : isRange(option) ? ".." : ",") + valueText(Material{}, parameter);
+        text += (text.empty() ? "" : isRange(option) ? ".." : ",") + valueText(material, parameter);
     }
     return text;
 }
@@ -102,7 +85,7 @@ Outcome applyChoice(Material& material, const Parameter& parameter, const std::s
 Outcome applyWhole(Material& material, const Parameter& parameter, int Material::*member, const std::string& text)
 {
     double value = 0.0;
-    if (!parse(text, value) || value != std::floor(value) || !(value >= parameter.least && value <= parameter.most)) {
+    if (!parseNumber(text, value) || value != std::floor(value) || !(value >= parameter.least && value <= parameter.most)) {
         std::ostringstream range;
         range << std::string(parameter.option) << ": expected a whole number from " << parameter.least << " to " << parameter.most
               << ", got '" << text << "'";
@@ -119,7 +102,7 @@ Outcome applyNumbers(Material& material, const std::string& option, const std::s
     const std::vector<std::string> parts = split(text, isRange(option) ? ".." : ",");
     std::vector<double> values(parts.size());
     bool fits = parts.size() == 1 || parts.size() == targets.size();
-    for (std::size_t i = 0; i < parts.size(); ++i) fits = parse(parts[i], values[i]) && fits;
+    for (std::size_t i = 0; i < parts.size(); ++i) fits = parseNumber(parts[i], values[i]) && fits;
     if (!fits) return Error{option + ": expected " + (targets.size() > 1 ? "N or " : "") + shape(option) + " in numbers, got '" + text + "'"};
     for (std::size_t i = 0; i < targets.size(); ++i) *targets[i] = values.size() == 1 ? values.front() : values[i];
     return std::monostate{};
@@ -138,7 +121,7 @@ void MaterialOptions::addTo(CLI::App& app)
             form.clear();
             for (std::string_view name : choices(first)) form += (form.empty() ? "" : "|") + std::string(name);
         }
-        help << " [default " << defaultText(option) << "; " << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
+        help << " [default " << valuesText(Material{}, option) << "; " << (first.unit.empty() ? "" : std::string(first.unit) + ", ") << first.least << " to " << first.most << "]";
         app.add_option_function<std::string>(option, [this, option](const std::string& text) { given_[option] = text; }, help.str())
             ->type_name(form)
             ->group("Material");
@@ -170,20 +153,28 @@ Result<Material> MaterialOptions::apply(Material material) const
     return Error{std::string(parameter->option) + ": " + faults.front().message};
 }
 
+std::string optionsText(const Material& material, const Material& base)
+{
+    std::string text;
+    for (const std::string& option : options()) {
+        const std::string value = valuesText(material, option);
+        // Said where apply() would otherwise tilt the boundaries for the deviation's sake.
+        const bool isMeant = option == "--lower-normal" && material.lowerNormal == LowerNormal::parallel &&
+                             material.deviationDegrees != base.deviationDegrees;
+        if (isMeant || value != valuesText(base, option)) text += ' ' + option + '=' + value;
+    }
+    return text;
+}
+
 std::string valueText(const Material& material, const Parameter& parameter)
 {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(9);
-    if (const auto* real = std::get_if<double Material::*>(&parameter.member)) text << material.**real;
-    if (const auto* whole = std::get_if<int Material::*>(&parameter.member)) text << material.**whole;
+    if (const auto* real = std::get_if<double Material::*>(&parameter.member)) return numberText(material.**real);
+    if (const auto* whole = std::get_if<int Material::*>(&parameter.member)) return std::to_string(material.**whole);
     if (const auto* rgb = std::get_if<glm::dvec3 Material::*>(&parameter.member)) {
-        text << (material.**rgb).r << ',' << (material.**rgb).g << ',' << (material.**rgb).b;
+        const glm::dvec3& channels = material.**rgb;
+        return numberText(channels.r) + ',' + numberText(channels.g) + ',' + numberText(channels.b);
     }
-    if (!choices(parameter).empty()) {
-        text << choices(parameter)[static_cast<std::size_t>(choice(material, parameter))];
-    }
-    return text.str();
+    return std::string(choices(parameter)[static_cast<std::size_t>(choice(material, parameter))]);
 }
 
 }  // namespace nacre::demo

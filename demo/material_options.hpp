@@ -29,6 +29,10 @@ private:
     std::map<std::string, std::string> given_;
 };
 
+/// The options that turn base into material, in the order of parameters(): ` --ior=1.4,1.45,1.6 --deviation=8`.
+/// What an option takes together is said together; values are short, nine digits.
+std::string optionsText(const Material& material, const Material& base);
+
 /// A member's value as the options take it: `1.4,1.45,1.6`.
 std::string valueText(const Material& material, const Parameter& parameter);
 

@@ -17,10 +17,13 @@
 
 #include "command_line.hpp"
 #include "gallery.hpp"
+#include "gl/context.hpp"
 #include "material_options.hpp"
 #include "models.hpp"
+#include "picture_size.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene.hpp"
+#include "viewpoint_options.hpp"
 
 namespace {
 
@@ -32,20 +35,8 @@ struct Arguments {
     std::string size = "1024x1024";
     bool list = false;
     MaterialOptions material;
+    ViewpointOptions viewpoint;
 };
-
-struct Size {
-    int width = 0, height = 0;
-};
-
-Result<Size> parseSize(const std::string& text)
-{
-    Size size;
-    char cross = 0, more = 0;
-    std::istringstream stream(text);
-    if (stream >> size.width >> cross >> size.height && cross == 'x' && !(stream >> more) && size.width > 0 && size.height > 0) return size;
-    return Error{"--size: expected WIDTHxHEIGHT in whole numbers from 1, got '" + text + "'"};
-}
 
 void list()
 {
@@ -56,10 +47,10 @@ void list()
     std::cout << "Models (MODEL): any .gltf or .glb file; without one\n  " << shippedModel().string() << '\n';
 }
 
-Outcome renderGallery(const Renderer& renderer, const std::string& directory, Size size)
+Outcome renderGallery(const Renderer& renderer, const Viewpoint& viewpoint, const std::string& directory, Size size)
 {
     std::unique_ptr<boost::timer::progress_display> bar;
-    return writeGallery(renderer, directory, size.width, size.height, [&](std::size_t done, std::size_t total) {
+    return writeGallery(renderer, viewpoint, directory, size.width, size.height, [&](std::size_t done, std::size_t total) {
         if (!isatty(STDERR_FILENO)) return;
         if (!bar) bar = std::make_unique<boost::timer::progress_display>(total, std::cerr, "");
         *bar += done - bar->count();
@@ -81,6 +72,8 @@ Outcome runOrThrow(const Arguments& arguments)
     }
     Result<Material> material = arguments.material.apply(*base);
     if (!material) return material.error();
+    Result<Viewpoint> viewpoint = arguments.viewpoint.viewpoint();
+    if (!viewpoint) return viewpoint.error();
     if (arguments.out) {
         Outcome writable = checkWritable(*arguments.out);
         if (!writable) return Error{"--out: " + writable.error().message};
@@ -90,12 +83,12 @@ Outcome runOrThrow(const Arguments& arguments)
     if (!scene) return scene.error();
     Result<Context> context = Context::create();
     if (!context) return context.error();
-    Result<Renderer> renderer = Renderer::create(*context, *scene);
+    Result<Renderer> renderer = Renderer::create(context->gl(), *scene);
     if (!renderer) return renderer.error();
 
     if (Outcome drawable = renderer->checkSize(size->width, size->height); !drawable) return Error{"--size: " + drawable.error().message};
-    if (arguments.gallery) return renderGallery(*renderer, *arguments.gallery, *size);
-    Result<Image> image = renderer->render(*material, size->width, size->height);
+    if (arguments.gallery) return renderGallery(*renderer, *viewpoint, *arguments.gallery, *size);
+    Result<Image> image = renderer->render(*material, size->width, size->height, *viewpoint);
     if (!image) return image.error();
     return writeImage(*image, *arguments.out);
 }
@@ -123,6 +116,7 @@ int main(int argc, char** argv)
     app.add_option("--gallery", arguments.gallery, "Write every preset and a contact sheet into this directory instead");
     app.add_flag("--list", arguments.list, "List presets and models");
     arguments.material.addTo(app);
+    arguments.viewpoint.addTo(app);
     if (const std::optional<int> status = parseCommandLine(app, argc, argv)) return *status;
     if (arguments.list) {
         list();

@@ -16,6 +16,7 @@ install_packages() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# A compiler, CMake, and what nacre-render is built on. OpenImageIO's package config asks for its tools.
+# A compiler, CMake, and what nacre-render and nacre-view are built on. OpenImageIO's package config asks for its tools.
 demo_packages="g++ make cmake libglm-dev libegl-dev libgl-dev libosmesa6 libegl1 libgl1-mesa-dri libtinygltf-dev
-nlohmann-json3-dev libopenimageio-dev openimageio-tools libcli11-dev libboost-dev fonts-dejavu-core"
+nlohmann-json3-dev libopenimageio-dev openimageio-tools libcli11-dev libboost-dev fonts-dejavu-core
+libglfw3-dev libimgui-dev libgl1"

@@ -52,7 +52,7 @@ TEST_P(GoldenTest, LooksAsItDid)
     const std::string name = GetParam();
     const Result<demo::Scene> scene = demo::loadScene(demo::shippedModel());
     ASSERT_TRUE(scene) << scene.error().message;
-    const Result<demo::Renderer> renderer = demo::Renderer::create(test::context(), *scene);
+    const Result<demo::Renderer> renderer = demo::Renderer::create(test::context().gl(), *scene);
     ASSERT_TRUE(renderer) << renderer.error().message;
     const Result<demo::Image> image = renderer->render(*preset(name), 256, 256);
     ASSERT_TRUE(image) << image.error().message;

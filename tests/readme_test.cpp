@@ -8,6 +8,7 @@
 #include <nacre/parameters.hpp>
 
 #include "material_options.hpp"
+#include "view/keys.hpp"
 
 namespace {
 
@@ -34,6 +35,20 @@ TEST(Readme, ListsTheParametersAsTheyAreDeclared)
     std::string table;
     for (const Parameter& parameter : parameters()) table += row(parameter) + '\n';
     EXPECT_TRUE(readme.find(table) != std::string::npos) << "expected in the README:\n" << table;
+}
+
+TEST(Readme, ListsTheViewersKeysAsItObeysThem)
+{
+    std::ifstream file(NACRE_README);
+    const std::string readme((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const auto table = [](const auto& bindings) {
+        std::string rows;
+        for (const auto& binding : bindings) rows += std::string("| ") + binding.label + " | " + binding.effect + " |\n";
+        return rows;
+    };
+    for (const std::string& rows : {table(demo::keyBindings()), table(demo::mouseBindings())}) {
+        EXPECT_TRUE(readme.find(rows) != std::string::npos) << "expected in the README:\n" << rows;
+    }
 }
 
 }  // namespace

@@ -90,6 +90,23 @@ TEST_F(RenderTest, ParametersChangeThePicture)
     EXPECT_TRUE(pixels("b.exr") == pixels("c.exr"));
 }
 
+TEST_F(RenderTest, TheViewpointIsAnOption)
+{
+    const auto pixels = [&](const std::string& options) {
+        std::vector<float> values(32 * 32 * 3);
+        const Finished finished = render("--size 32x32 --out a.exr " + options);
+        EXPECT_EQ(finished.status, 0) << finished.output;
+        const auto file = OIIO::ImageInput::open(path("a.exr").string());
+        EXPECT_TRUE(file && file->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data())) << options;
+        return values;
+    };
+    const auto usual = pixels("");
+    EXPECT_TRUE(pixels("--orbit 20,15 --zoom 1 --target 0,0,0 --light -0.45,0.65,0.75") == usual);
+    for (const char* other : {"--orbit 21,15", "--orbit=-20,15", "--zoom 1.5", "--target 0,0.1,0", "--light 0.45,0.65,0.75"}) {
+        EXPECT_TRUE(pixels(other) != usual) << other;
+    }
+}
+
 TEST_F(RenderTest, GalleryHoldsEveryPresetAndASheet)
 {
     const Finished finished = render("--gallery pictures --size 48x48");
@@ -136,6 +153,11 @@ TEST_F(RenderTest, RefusesBadInput)
     expectRefusal("--exponents 1e9" + out, "--exponents: expected 0 <= upperExponent <= 1000000, got 1e+09");
     expectRefusal("--noise-octaves 1.5" + out, "--noise-octaves: expected a whole number from 0 to 8, got '1.5'");
     expectRefusal("--lower-normal sideways" + out, "--lower-normal: expected one of parallel, constant, independent, gradient, got 'sideways'");
+    expectRefusal("--orbit 20" + out, "--orbit: expected AZIMUTH,ELEVATION in numbers, got '20'");
+    expectRefusal("--orbit 20,90" + out, "--orbit: expected AZIMUTH,ELEVATION in numbers from -89 to 89, got 90");
+    expectRefusal("--zoom 0" + out, "--zoom: expected N in numbers from 0.01 to 1000, got 0");
+    expectRefusal("--target 0,nan,0" + out, "--target: expected X,Y,Z in numbers");
+    expectRefusal("--light 0,0,0" + out, "--light: expected a direction, got 0,0,0");
     expectRefusal("--unknown 1" + out, "--unknown");
     expectRefusal("--out x.jpg", "--out: cannot write 'x.jpg': expected a name that ends in .png or .exr");
     expectRefusal("--out no/such/x.png", "--out: cannot write 'no/such/x.png': there is no directory 'no/such'");

@@ -68,6 +68,7 @@ namespace nacre::demo {
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                  \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                  \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
+    X(PFNGLSCISSORPROC, Scissor)                                        \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                              \
     X(PFNGLTEXIMAGE1DPROC, TexImage1D)                                  \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                  \

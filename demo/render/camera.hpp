@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "scene/scene.hpp"
+#include "viewpoint.hpp"
 
 namespace nacre::demo {
 
@@ -14,8 +15,18 @@ struct Camera {
     glm::mat4 worldToClip;
 };
 
-/// Frames all of the scene, seen from the front, 20 degrees to the right and 15 above.
+/// How all of a scene is framed from the default direction: what a viewpoint is relative to.
+struct Framing {
+    glm::vec3 centre;    ///< In the middle of the picture.
+    float distance;      ///< From which no point leaves the field of view.
+    float depth;         ///< The scene lies within this of the centre, along the default direction.
+    float radius;        ///< And within this in every direction.
+    glm::vec2 tangent;   ///< Of half the field of view, across and up.
+};
+
 /// aspect: width over height.
-Camera frameScene(const Scene& scene, float aspect);
+Framing frameScene(const Scene& scene, float aspect);
+
+Camera placeCamera(const Framing& framing, const Viewpoint& viewpoint);
 
 }  // namespace nacre::demo

@@ -62,11 +62,12 @@ std::string withoutComments(std::string_view text)
 
 std::string functions(const GlslOptions& options)
 {
-    const std::string before = defines(options), config = withoutComments(glslFiles().front().text);
+    const std::vector<GlslFile>& files = options.files ? *options.files : glslFiles();
+    const std::string before = defines(options), config = files.empty() ? "" : withoutComments(files.front().text);
     std::vector<std::string_view> resolved{before, config};
     std::string text = before;
     int source = 0;
-    for (const GlslFile& file : glslFiles()) {
+    for (const GlslFile& file : files) {
         ++source;
         if (!isWanted(file, options.uniforms)) continue;
         if (source > 1) resolved.push_back(file.text);

@@ -47,7 +47,8 @@ Moved moved(const Numbers& n)
 Reference evaluate(const model::Material& m, const model::Surface& s, glm::dvec3 light, glm::dvec3 view)
 {
     const model::View w = model::view(m, s, view);
-    return {model::specular(m, w, light), w.diffuse};
+    // The coefficient is the layer's wherever the viewer is; seen from above, so that no rounding hides it.
+    return {model::specular(m, w, light), model::view(m, s, model::direction(s.upperNormal)).diffuse};
 }
 
 Reference evaluate(const Numbers& numbers)

@@ -11,7 +11,9 @@ void main()
 {
     nacre_View w = nacre_view(pointMaterial(), pointSurface(), pointView());
     rho = vec4(nacre_specular(pointMaterial(), w, pointLight()), 1.0);
-    diffuse = vec4(w.diffuse, 1.0);
+    // The coefficient is the layer's wherever the viewer is; seen from above, so that no rounding hides it.
+    nacre_Surface s = pointSurface();
+    diffuse = vec4(nacre_view(pointMaterial(), s, nacre_direction(s.upperNormal)).diffuse, 1.0);
 }
 )";
 

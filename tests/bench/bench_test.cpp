@@ -66,15 +66,15 @@ double farthest(const Candidate& candidate, const std::vector<FilmCase>& cases, 
     return worst;
 }
 
-// float32 inputs and arithmetic at up to 3 cycles of phase: 1e-5. Eight bits of the table are 255 / 64 / 255 / 2 = 8e-3
-// of a fringe, of which a film has up to 2 |a b| (1 - a^2) < 0.8 in the first order.
+// float32 inputs and arithmetic at up to 3 cycles of phase: 1e-5. Eight bits of the table are 1 / 55 / 2 = 9e-3 of a
+// fringe, which a metal at grazing angles, where |q| reaches 0.9, weighs by up to 10.
 TEST(FilmColour, IsWhatTheLibraryEvaluates)
 {
     EXPECT_LT(farthest(load("physical-film"), films(test::FilmSet::dielectrics), Quality::physical), 1e-4);
     EXPECT_LT(farthest(load("physical-full"), films(test::FilmSet::dielectrics), Quality::physical), 1e-4);
     EXPECT_LT(farthest(load("physical-any"), films(test::FilmSet::dielectrics), Quality::physical), 1e-4);
     EXPECT_LT(farthest(load("physical-any"), films(test::FilmSet::metals), Quality::physical), 1e-4);
-    EXPECT_LT(farthest(load("physical-any-table"), films(test::FilmSet::metals), Quality::physical), 5e-2);
+    EXPECT_LT(farthest(load("physical-any-table"), films(test::FilmSet::metals), Quality::physical), 9e-2);
     EXPECT_LT(farthest(load("paper-full"), films(test::FilmSet::dielectrics), Quality::paper), 1e-4);
     EXPECT_LT(farthest(load("paper-parallel"), films(test::FilmSet::metals), Quality::paper), 1e-4);
 }

@@ -33,6 +33,7 @@ struct GlslOptions {
     bool isResolved = false;  ///< For readers and for engines without a preprocessor: no conditionals, no #line.
     bool vulkan = false;      ///< GLSL for Vulkan: the block is at `set = 0, binding = blockBinding`.
     int blockBinding = 0;
+    const std::vector<GlslFile>* files = nullptr;  ///< Other texts in place of glslFiles(), by the same names in the same order.
 };
 
 /// The library as one text for a shader, to be followed by the host's own declarations and `main`:
