@@ -17,7 +17,7 @@ namespace nacre::demo {
 
 Result<Renderer> Renderer::create(const GlFunctions& gl, Scene scene)
 {
-    Result<MaterialPrograms> programs = MaterialPrograms::link(gl);
+    Result<MaterialPrograms> programs = MaterialPrograms::create(gl);
     if (!programs) return programs.error();
     Result<FringeTable> table = FringeTable::create();
     if (!table) return table.error();
@@ -105,8 +105,10 @@ Result<Image> Renderer::render(const Material& material, int width, int height, 
 Outcome Renderer::draw(const Material& material, const Viewpoint& viewpoint, const Camera& camera) const
 {
     const GlFunctions& gl = *gl_;
-    Result<Block> block = pack(material);
+    Result<Block> block = pack(material, &fringeTable_);
     if (!block) return block.error();
+    Result<GLuint> linked = programs_.of(material);
+    if (!linked) return linked.error();
     gl.BindBuffer(GL_UNIFORM_BUFFER, material_);
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(Block), &*block, GL_DYNAMIC_DRAW);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, material_);
@@ -114,7 +116,7 @@ Outcome Renderer::draw(const Material& material, const Viewpoint& viewpoint, con
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, fringeTexture_);
 
-    const GLuint program = programs_.of(material);
+    const GLuint program = *linked;
     const auto at = [&](const std::string& name) { return gl.GetUniformLocation(program, name.c_str()); };
     gl.UseProgram(program);
     gl.UniformMatrix4fv(at("worldToClip"), 1, GL_FALSE, glm::value_ptr(camera.worldToClip));
@@ -139,7 +141,7 @@ Outcome Renderer::setScene(Scene scene)
 
 Outcome Renderer::setGlsl(const std::vector<GlslFile>& files)
 {
-    Result<MaterialPrograms> programs = MaterialPrograms::link(*gl_, files);
+    Result<MaterialPrograms> programs = MaterialPrograms::create(*gl_, files);
     if (!programs) return programs.error();
     programs_ = *std::move(programs);
     return std::monostate{};

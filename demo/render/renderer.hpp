@@ -54,7 +54,7 @@ private:
     int largestSize() const;
 
     const GlFunctions* gl_;
-    MaterialPrograms programs_;
+    mutable MaterialPrograms programs_;  // links what is first asked for
     GpuScene scene_;
     FringeTable fringeTable_;
     GLuint material_ = 0, fringeTexture_ = 0;

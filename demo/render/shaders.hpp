@@ -36,8 +36,11 @@ const int LIGHTS = 4;
 uniform vec3 lightDirection[LIGHTS];  // to the light, unit
 uniform float lightRadiance[LIGHTS];
 uniform vec3 eye;
-#if QUALITY_PHYSICAL
+#if NACRE_PHYSICAL && NACRE_FRINGE_TABLE
 uniform sampler2D fringeTable;
+#define FRINGES , fringeTable
+#else
+#define FRINGES
 #endif
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -52,17 +55,8 @@ void main()
     nacre_Surface s = nacre_surface(m, normal, worldTangent, noisePosition, mat3(1.0));
     vec3 v = normalize(eye - worldPosition);
     colour = vec4(0.0, 0.0, 0.0, 1.0);
-#if QUALITY_PHYSICAL
-    nacre_PhysicalView w = nacre_physicalView(m, s, v, fringeTable);
-    for (int i = 0; i < LIGHTS; ++i) {
-        colour.rgb += lightRadiance[i] * nacre_physicalLight(m, w, lightDirection[i], fringeTable);
-    }
-#else
-    nacre_View w = nacre_view(m, s, v);
-    for (int i = 0; i < LIGHTS; ++i) {
-        colour.rgb += lightRadiance[i] * nacre_light(m, w, lightDirection[i]);
-    }
-#endif
+    nacre_Shading w = nacre_shading(m, s, v FRINGES);
+    for (int i = 0; i < LIGHTS; ++i) colour.rgb += lightRadiance[i] * nacre_shade(m, w, lightDirection[i] FRINGES);
 }
 )";
 
