@@ -40,10 +40,11 @@ void nacre_weigh(inout nacre_Film film, vec2 aSquared, vec2 bSquared, vec2 cross
 }
 
 // rho of a film, given its fringes sum (G - tau) Re q^m C_m over both polarisations.
-// Differs: the colours of a film can lie outside the primaries' gamut; neither end leaves [0, 1].
+// Differs: the colours of a film can lie outside the primaries' gamut. Below 0 they end; above, a channel keeps what a metal
+// at grazing angles has (1.083 at a cosine of 0.05, its luminance below 1), with room for other primaries.
 vec3 nacre_filmReflectance(nacre_Film film, vec3 fringes, float rootUpper, float rootLower)
 {
-    vec3 bounded = min(fringes, 1.0 - film.upper - film.lower);
+    vec3 bounded = min(fringes, 1.1 - film.upper - film.lower);
     return max(film.upper * rootUpper * rootUpper + film.lower * rootLower * rootLower + bounded * (rootUpper * rootLower), 0.0);
 }
 

@@ -10,7 +10,7 @@
 
 #if NACRE_PHYSICAL && NACRE_FRINGE_TABLE
 
-// Stored as (55 F + 127) / 255, so that 0 and 1 are exact in eight bits.
+// Stored as (55 F + 127) / 255, between 0 and 1 for any format.
 const float nacre_fringeScale = 255.0 / 55.0;
 const float nacre_fringeShift = 127.0 / 55.0;
 

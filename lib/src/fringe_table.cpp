@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -56,46 +55,6 @@ Spectrum curves(const FringeOptions& o)
     return s;
 }
 
-// C(x) of three channels by steps of 1 nm; linear between them it errs by 3e-5 at most.
-using Fringe = std::array<std::complex<double>, 3>;
-constexpr double fringeStepUm = 0.001;
-
-std::vector<Fringe> fringesTo(const Spectrum& s, double mostUm)
-{
-    std::vector<Fringe> fringes(static_cast<std::size_t>(std::lround(mostUm / fringeStepUm)) + 2);
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        const double wavelengthUm = (data::cie1931FirstNm + static_cast<double>(i)) / 1000.0;
-        const std::complex<double> turn = std::polar(1.0, glm::two_pi<double>() * fringeStepUm / wavelengthUm);
-        std::complex<double> wave = 1.0;
-        for (Fringe& fringe : fringes) {
-            for (int channel = 0; channel < 3; ++channel) fringe[static_cast<std::size_t>(channel)] += s[i][channel] * wave;
-            wave *= turn;
-        }
-    }
-    return fringes;
-}
-
-// (1 - q²) Σ_{m>=1} q^{m-1} Re e^{i m phase} C(m x). Terms beyond the fringes' end have nothing left of their contrast.
-glm::dvec3 sumOfHarmonics(const std::vector<Fringe>& fringes, double pathUm, double q, double phase)
-{
-    glm::dvec3 sum(0.0);
-    const std::complex<double> turn = std::polar(1.0, phase);
-    std::complex<double> wave = turn;
-    double power = 1.0 - q * q;
-    double at = pathUm / fringeStepUm;
-    for (double step = at; at < static_cast<double>(fringes.size() - 1) && std::fabs(power) > 1e-7; at += step) {
-        const auto left = static_cast<std::size_t>(at);
-        const double share = at - static_cast<double>(left);
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const std::complex<double> fringe = (1.0 - share) * fringes[left][channel] + share * fringes[left + 1][channel];
-            sum[static_cast<int>(channel)] += power * (wave.real() * fringe.real() - wave.imag() * fringe.imag());
-        }
-        power *= q;
-        wave *= turn;
-    }
-    return sum;
-}
-
 // The path of a column: in squares, since short paths have the sharper fringes.
 double pathOf(int column)
 {
@@ -107,6 +66,28 @@ double pathOf(int column)
 double ratioOf(int row)
 {
     return std::clamp(2.0 * row / (FringeTable::rows - 1) - 1.0, -0.99, 0.99);
+}
+
+// F(x, q, k) for all rows of all phases. At one wavelength, with the phase φ of the path and of k together, the series is
+// (1 - q²) (cos φ - q) / (1 - 2 q cos φ + q²): all orders of it.
+std::vector<glm::dvec3> columnAt(const Spectrum& s, double pathUm)
+{
+    std::array<double, FringeTable::rows> ratios{};
+    for (int row = 0; row < FringeTable::rows; ++row) ratios[static_cast<std::size_t>(row)] = ratioOf(row);
+    std::vector<glm::dvec3> column(FringeTable::height, glm::dvec3(0.0));
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const double wavelengthUm = (data::cie1931FirstNm + static_cast<double>(i)) / 1000.0;
+        const double pathPhase = glm::two_pi<double>() * pathUm / wavelengthUm;
+        for (std::size_t phase = 0; phase < FringeTable::phases; ++phase) {
+            const double cosine = std::cos(pathPhase + glm::pi<double>() / FringeTable::phases * static_cast<double>(phase));
+            glm::dvec3* const rows = column.data() + phase * FringeTable::rows;
+            for (std::size_t row = 0; row < FringeTable::rows; ++row) {
+                const double q = ratios[row], squared = q * q;
+                rows[row] += s[i] * ((1.0 - squared) * (cosine - q) / (1.0 - 2.0 * q * cosine + squared));
+            }
+        }
+    }
+    return column;
 }
 
 bool isChromaticity(glm::dvec2 xy)
@@ -140,35 +121,25 @@ Result<FringeTable> FringeTable::create(const FringeOptions& options)
 {
     if (const std::string fault = faultOf(options); !fault.empty()) return Error{"nacre::FringeTable::create(): " + fault};
     const Spectrum s = curves(options);
-    // Three times the range: what is beyond is below 1e-4.
-    const std::vector<Fringe> fringes = fringesTo(s, 3.0 * rangeUm);
-
     FringeTable table;
     table.texels_.assign(static_cast<std::size_t>(width) * height * 4, 1.0F);
-    for (int row = 0; row < height; ++row) {
-        const double ratio = ratioOf(row % rows), phase = glm::pi<double>() / phases * (row / rows);
-        for (int x = 0; x < width; ++x) {
-            // The last texel is 0: beyond the table, where it is repeated, a layer has no fringes.
-            const glm::dvec3 sum = x + 1 < width ? sumOfHarmonics(fringes, pathOf(x), ratio, phase) : glm::dvec3(0.0);
+    for (int x = 0; x < width; ++x) {
+        const std::vector<glm::dvec3> column = columnAt(s, pathOf(x));
+        // The last texel is 0: beyond the table, where it is repeated, a layer has no fringes.
+        const double fade = x + 1 < width ? 1.0 : 0.0;
+        for (std::size_t row = 0; row < column.size(); ++row) {
             for (int channel = 0; channel < 3; ++channel) {
-                const double stored = (sum[channel] + shift) / scale;
+                const double value = fade * column[row][channel];
+                const double stored = (value + shift) / scale;
                 if (!(stored >= 0.0 && stored <= 1.0)) {
-                    return Error{"nacre::FringeTable::create(): expected curves whose fringes stay within -2.3 and 2.3, got " + std::to_string(sum[channel]) +
+                    return Error{"nacre::FringeTable::create(): expected curves whose fringes stay within -2.3 and 2.3, got " + std::to_string(value) +
                                  "; are the primaries too close to each other for this light?"};
                 }
-                table.texels_[(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(x)) * 4 + static_cast<std::size_t>(channel)] = static_cast<float>(stored);
+                table.texels_[(row * width + static_cast<std::size_t>(x)) * 4 + static_cast<std::size_t>(channel)] = static_cast<float>(stored);
             }
         }
     }
     return table;
-}
-
-std::vector<std::uint8_t> FringeTable::bytes() const
-{
-    std::vector<std::uint8_t> bytes(texels_.size());
-    std::transform(texels_.begin(), texels_.end(), bytes.begin(),
-                   [](float texel) { return static_cast<std::uint8_t>(std::lround(texel * 255.0F)); });
-    return bytes;
 }
 
 glm::dvec3 FringeTable::look(double pathUm, double ratio, int phase) const noexcept

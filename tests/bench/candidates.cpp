@@ -81,7 +81,7 @@ Result<Candidate> flat(const fs::path&)
 }
 
 // The table as a host would bind it.
-Result<Table> fringeTable(Table::Format format)
+Result<Table> fringeTable()
 {
     Result<FringeTable> fringes = FringeTable::create();
     if (!fringes) return fringes.error();
@@ -89,7 +89,7 @@ Result<Table> fringeTable(Table::Format format)
     table.sampler = "bench_fringeTable";
     table.width = FringeTable::width;
     table.height = FringeTable::height;
-    table.format = format;
+    table.format = Table::Format::float16;
     table.texels.assign(fringes->texels().begin(), fringes->texels().end());
     return table;
 }
@@ -99,7 +99,6 @@ struct Variant {
     Material material;
     FeatureOptions options;
     std::function<void(Features&)> change;  ///< What the material does not ask for.
-    Table::Format format = Table::Format::unorm8;
     bool isDetail = false;
 };
 
@@ -114,7 +113,7 @@ Result<Candidate> variant(const Variant& v)
     candidate->isDetail = v.isDetail;
     candidate->film.hasMetals = v.material.quality == Quality::paper || candidate->features.metal;
     if (candidate->features.fringes == Fringes::table) {
-        Result<Table> table = fringeTable(v.format);
+        Result<Table> table = fringeTable();
         if (!table) return table.error();
         candidate->tables.push_back(*table);
     }
@@ -155,9 +154,9 @@ Variant paper(const Material& material, bool tilt, double error = FeatureOptions
     return {material, maps(tilt, error), {}};
 }
 
-Variant film(const Material& material, bool tilt, Fringes fringes, Table::Format format = Table::Format::unorm8)
+Variant film(const Material& material, bool tilt, Fringes fringes)
 {
-    Variant v{physical(material), maps(tilt), {}, format};
+    Variant v{physical(material), maps(tilt), {}};
     v.options.fringes = fringes;
     return v;
 }
@@ -258,7 +257,6 @@ std::vector<CandidateEntry> withFeatures(std::vector<CandidateEntry> entries)
 
 const std::vector<CandidateEntry>& candidateEntries()
 {
-    using Format = Table::Format;
     static const std::vector<CandidateEntry> entries = withNaiveForms(withFeatures({
         {std::string(flatName), "the inputs alone: what all others are measured against", flat},
         {"phong-lambert", "one Phong lobe and Lambert", phongLambert},
@@ -271,13 +269,11 @@ const std::vector<CandidateEntry>& candidateEntries()
         {"paper-parallel-naive", "paper-parallel as the paper prints it", paperParallelNaive},
         {"paper-full-naive", "paper-full as the paper prints it", paperFullNaive},
         {"physical-film", "a film on a dielectric, specular part, parallel boundaries, one index, sampler-free", of(film(oneIndex(), false, Fringes::samplerFree))},
-        {"physical-film-table", "the same with the fringe table in 8 bits", of(film(oneIndex(), false, Fringes::table))},
-        {"physical-film-table16", "the same in 16-bit floats", of(film(oneIndex(), false, Fringes::table, Format::float16))},
+        {"physical-film-table", "the same with the fringe table", of(film(oneIndex(), false, Fringes::table))},
         {"physical-any", "a film on anything, timed over gold, sampler-free", of(film(overGold(oneIndex()), false, Fringes::samplerFree))},
-        {"physical-any-table", "the same with the fringe table in 8 bits", of(film(overGold(oneIndex()), false, Fringes::table))},
-        {"physical-any-table16", "the same in 16-bit floats", of(film(overGold(oneIndex()), false, Fringes::table, Format::float16))},
+        {"physical-any-table", "the same with the fringe table", of(film(overGold(oneIndex()), false, Fringes::table))},
         {"physical-full", "a film on a dielectric with tilt, index per channel, diffuse part, sampler-free", of(film(dispersive(), true, Fringes::samplerFree))},
-        {"physical-full-table", "the same with the fringe table in 8 bits", of(film(dispersive(), true, Fringes::table))},
+        {"physical-full-table", "the same with the fringe table", of(film(dispersive(), true, Fringes::table))},
         {std::string(referenceName), "MeshPhysicalMaterial: metal and dielectric film once per pixel, GGX, Lambert", loadThreeJs},
         {"materialx-dielectric", "dielectric_bsdf: Airy film and GGX per light", loadMaterialXDielectric},
         {"materialx-surface", "standard_surface's base: metal and dielectric, each with the film, diffuse", loadMaterialXSurface},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -26,10 +25,10 @@ struct FringeOptions {
 /// (nacre_fringe_table.glsl): computed in double precision from the CIE 1931 observer. The host makes the texture:
 ///
 ///     auto table = nacre::FringeTable::create();
-///     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, table->width, table->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, table->bytes().data());
+///     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, table->width, table->height, 0, GL_RGBA, GL_FLOAT, table->texels().data());
 ///     // GL_LINEAR for both filters, GL_CLAMP_TO_EDGE, no mipmaps
 ///
-/// or in GL_RGBA16, GL_RGBA16F or GL_RGBA32F from texels(): every format that is filtered will do.
+/// Every format that is filtered will do; one of eight bits costs as much and is seven times as far from the film.
 class FringeTable {
 public:
     static constexpr int width = 1024;       ///< Path differences from 0 to rangeUm, both included, in steps of their root.
@@ -44,9 +43,6 @@ public:
 
     /// RGBA in [0, 1], row after row: red, green, blue, and 1.
     const std::vector<float>& texels() const noexcept { return texels_; }
-    /// The same in eight bits.
-    std::vector<std::uint8_t> bytes() const;
-
     /// F(x, q) as the shaders read it: linear between texels, in double precision.
     ///   pathUm  path difference x, µm, held to the table's range
     ///   ratio   |q| with its sign, -1 to 1

@@ -28,7 +28,7 @@ inline void weigh(Film& film, dvec2 aSquared, dvec2 bSquared, dvec2 crossing)
 
 inline dvec3 filmReflectance(const Film& film, dvec3 fringes, double rootUpper, double rootLower)
 {
-    const dvec3 bounded = min(fringes, dvec3(1.0 - film.upper - film.lower));
+    const dvec3 bounded = min(fringes, dvec3(1.1 - film.upper - film.lower));
     return max(film.upper * rootUpper * rootUpper + film.lower * rootLower * rootLower + bounded * (rootUpper * rootLower), dvec3(0.0));
 }
 
