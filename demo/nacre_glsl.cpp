@@ -37,16 +37,18 @@ struct Arguments {
     MaterialOptions material;
 };
 
-void list()
+std::string row(std::string_view name, const std::string& text)
 {
-    std::cout << "Presets (--preset):\n";
-    for (const Preset& preset : presets()) {
-        std::cout << "  " << preset.name << std::string(20 - preset.name.size(), ' ') << preset.figure << ": " << preset.shows << '\n';
-    }
-    std::cout << "Features (--features):\n";
-    for (const FeatureName& feature : featureNames()) {
-        std::cout << "  " << feature.name << std::string(20 - feature.name.size(), ' ') << feature.effect << '\n';
-    }
+    return "  " + std::string(name) + std::string(20 - name.size(), ' ') + text + '\n';
+}
+
+std::string list()
+{
+    std::string text = "Presets (--preset):\n";
+    for (const Preset& preset : presets()) text += row(preset.name, std::string(preset.figure) + ": " + std::string(preset.shows));
+    text += "Features (--features):\n";
+    for (const FeatureName& feature : featureNames()) text += row(feature.name, std::string(feature.effect));
+    return text;
 }
 
 // The library's message as that of an option.
@@ -54,6 +56,13 @@ Error of(const char* option, const Error& error)
 {
     const std::size_t function = error.message.find("): ");
     return {std::string(option) + ": " + (function == std::string::npos ? error.message : error.message.substr(function + 3))};
+}
+
+// Which option the library finds fault with when it puts the text together.
+Error ofGlsl(const Error& error)
+{
+    const auto names = [&](const char* word) { return error.message.find(word) != std::string::npos; };
+    return of(names("materials in") ? "--materials" : names("lights in") ? "--lights" : names("plain ones") ? "--uniforms" : "--version", error);
 }
 
 Result<Features> featuresOfMaterial(const Arguments& arguments)
@@ -95,7 +104,7 @@ std::string heading(const GlslOptions& options, bool isComplete)
     std::snprintf(number, sizeof number, "0x%016" PRIx64, key(options.features));
     std::string text = "// nacre " NACRE_VERSION ", a layered iridescent material after Granier & Heidrich 2003.\n"
                        "// Copyright (c) 2026 The nacre authors, MIT License.\n"
-                       "// Made by nacre-glsl for #version " + versionText(options) + ", key " + number + ":\n"
+                       "// Made by nacre-glsl for GLSL " + versionText(options) + ", key " + number + ":\n"
                        "//   --features " + namesOf(options.features) + '\n';
     if (options.es && !isComplete) text += "// Before it the shader has to say: precision highp float; precision highp int;\n";
     return text;
@@ -111,13 +120,19 @@ Result<std::string> shader(const Arguments& arguments)
     options.uniforms = uniforms(arguments.uniforms);
     options.isResolved = !arguments.withConditionals;
     options.lights = arguments.lights.has_value();
+    if (options.uniforms == GlslUniforms::plain && arguments.materials != 1) {
+        return Error{"--materials: expected 1 with --uniforms plain, got " + std::to_string(arguments.materials)};
+    }
     if (arguments.complete) {
+        if (options.uniforms == GlslUniforms::none) {
+            return Error{"--uniforms: expected block or plain with --complete, got none: a whole shader needs its material"};
+        }
         Result<std::string> text = completeShader(options);
-        if (!text) return text.error();
+        if (!text) return ofGlsl(text.error());
         return text->insert(text->find('\n') + 1, heading(options, true));  // nothing may stand before #version
     }
     Result<std::string> text = glslChunk(options);
-    if (!text) return text.error();
+    if (!text) return ofGlsl(text.error());
     return heading(options, false) + *text;
 }
 
@@ -139,27 +154,34 @@ Outcome print(const std::string& text)
 
 int run(const Arguments& arguments)
 {
+    if (arguments.list) {
+        const Outcome printed = print(list());
+        return printed ? 0 : fail(1, printed.error().message);
+    }
     if (arguments.out) {
         if (Outcome place = checkPlace(*arguments.out); !place) return fail(2, "--out: " + place.error().message);
     }
     const Result<std::string> text = shader(arguments);
-    if (!text) {
-        const std::string& message = text.error().message;
-        return fail(2, message.rfind("--", 0) == 0 ? message : of("--version, --materials, --lights", text.error()).message);
-    }
+    if (!text) return fail(2, text.error().message);
     const Outcome written = arguments.out ? replaceFile(*arguments.out, text->data(), text->size()) : print(*text);
     return written ? 0 : fail(1, written.error().message);
 }
 
 void addOptions(CLI::App& app, Arguments& arguments)
 {
-    app.add_option("--preset", arguments.preset, "A picture of the paper, whose material the shader is for; --list names them");
-    app.add_option("--features", arguments.features, "Instead of a material: what the shader computes, NAME,NAME,...; --list names them");
-    app.add_option("--error", arguments.options.error, "Error of a pixel that is accepted, display white 1")->capture_default_str();
-    app.add_option("--machine", arguments.machine, "What the shader will run on")->check(CLI::IsMember({"gpu", "cpu"}))->capture_default_str();
-    app.add_option("--fringes", arguments.fringes, "Of quality physical")->check(CLI::IsMember({"table", "sampler-free"}))->capture_default_str();
-    app.add_flag("--thickness-map", arguments.options.thicknessMap, "The thickness is the host's, per pixel");
-    app.add_flag("--lower-normal-map", arguments.options.lowerNormalMap, "So is the lower normal; with --thickness-map");
+    auto* const features = app.add_option("--features", arguments.features, "Instead of a material: what the shader computes, NAME,NAME,...; --list names them");
+    app.add_option("--preset", arguments.preset, "A picture of the paper, whose material the shader is for; --list names them")->excludes(features);
+    app.add_option("--error", arguments.options.error, "Error of a pixel that is accepted, display white 1")->excludes(features)->capture_default_str();
+    app.add_option("--machine", arguments.machine, "What the shader will run on")
+        ->check(CLI::IsMember({"gpu", "cpu"}))
+        ->excludes(features)
+        ->capture_default_str();
+    app.add_option("--fringes", arguments.fringes, "Of quality physical")
+        ->check(CLI::IsMember({"table", "sampler-free"}))
+        ->excludes(features)
+        ->capture_default_str();
+    auto* const map = app.add_flag("--thickness-map", arguments.options.thicknessMap, "The thickness is the host's, per pixel")->excludes(features);
+    app.add_flag("--lower-normal-map", arguments.options.lowerNormalMap, "So is the lower normal")->needs(map);
     app.add_option("--lights", arguments.lights, "With functions and block for so many lights; with --complete 4 if not given");
     app.add_option("--materials", arguments.materials, "So many materials in the block")->capture_default_str();
     app.add_option("--version", arguments.version, "330, 400 to 460, '300 es', '310 es', '320 es', '450 vulkan', '460 vulkan'")->capture_default_str();
@@ -179,10 +201,6 @@ int main(int argc, char** argv)
     CLI::App app{"Prints nacre's GLSL for a material, to be compiled by an engine that takes text.", "nacre-glsl"};
     addOptions(app, arguments);
     if (const std::optional<int> status = parseCommandLine(app, argc, argv)) return *status;
-    if (arguments.list) {
-        list();
-        return std::cout.flush() ? 0 : fail(1, "cannot write to standard output");
-    }
     try {
         return run(arguments);
     } catch (const std::exception& exception) {

@@ -97,8 +97,6 @@ std::string mainFunction(const Features& f)
 
 Result<std::string> completeShader(GlslOptions options)
 {
-    if (options.uniforms == GlslUniforms::none) return Error{"--complete: expected --uniforms block or plain, got none: a whole shader needs its material"};
-    if (options.uniforms == GlslUniforms::plain && options.features.materials > 1) return Error{"--materials: expected 1 with --uniforms plain, which holds one material"};
     options.lights = true;
     Result<std::string> library = glsl(options);
     if (!library) return library;
