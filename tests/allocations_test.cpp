@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <memory>
-#include <string>
+#include <new>
+#include <vector>
 
 #include <nacre/block.hpp>
 #include <nacre/features.hpp>
@@ -49,8 +48,8 @@ std::vector<Material> materials()
 
 TEST(Allocations, AreCounted)
 {
-    EXPECT_EQ(allocationsOf([] { std::make_unique<int>(3); }), 1U);
-    EXPECT_EQ(allocationsOf([] { std::string(100, 'x'); }), 1U);
+    EXPECT_EQ(allocationsOf([] { ::operator delete(::operator new(4)); }), 1U);
+    EXPECT_EQ(allocationsOf([] { ::operator delete[](::operator new[](4)); }), 1U);
     Material bad;
     bad.iorOutside = -1.0;
     EXPECT_GT(allocationsOf([&] { EXPECT_FALSE(pack(bad)); }), 0U);
@@ -58,7 +57,7 @@ TEST(Allocations, AreCounted)
 
 TEST(Allocations, PackingAMaterialMakesNone)
 {
-    const FringeTable table;
+    const FringeTable table = *FringeTable::create();
     for (const Material& material : materials()) {
         EXPECT_EQ(allocationsOf([&] { (void)*pack(material); }), 0U);
         EXPECT_EQ(allocationsOf([&] { (void)*pack(material, &table); }), 0U);
