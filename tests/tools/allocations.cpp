@@ -19,12 +19,27 @@ std::size_t allocations() noexcept
 
 }  // namespace nacre::test
 
-// The array and nothrow forms of the standard library come to these.
-void* operator new(std::size_t size)
+// All forms but those for wide alignments: the sanitizers bring their own of each, which would not come to the first.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
 {
     ++count;
-    if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
+    return std::malloc(size > 0 ? size : 1);
+}
+
+void* operator new(std::size_t size)
+{
+    if (void* const memory = operator new(size, std::nothrow)) return memory;
     throw std::bad_alloc();
+}
+
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+    return operator new(size, std::nothrow);
+}
+
+void* operator new[](std::size_t size)
+{
+    return operator new(size);
 }
 
 void operator delete(void* memory) noexcept
@@ -33,6 +48,16 @@ void operator delete(void* memory) noexcept
 }
 
 void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete[](void* memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete[](void* memory, std::size_t) noexcept
 {
     std::free(memory);
 }
