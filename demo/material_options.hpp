@@ -25,6 +25,9 @@ public:
     /// A deviation without --lower-normal turns parallel boundaries into a constant deviation.
     Result<Material> apply(Material base) const;
 
+    /// Whether the command line gave any of them.
+    bool areGiven() const { return !given_.empty(); }
+
 private:
     std::map<std::string, std::string> given_;
 };

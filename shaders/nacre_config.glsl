@@ -111,6 +111,16 @@
 #define NACRE_MATERIALS 1
 #endif
 
+// Lights in the block of nacre_light_block.glsl. 255 fit into every driver's 16 KiB.
+#ifndef NACRE_MAX_LIGHTS
+#define NACRE_MAX_LIGHTS 4
+#endif
+
+// nacre::LightKind
+#define NACRE_LIGHT_DIRECTIONAL 0
+#define NACRE_LIGHT_POINT 1
+#define NACRE_LIGHT_SPOT 2
+
 // The fringe table's layout, nacre::FringeTable.
 #define NACRE_FRINGE_TEXELS 1024.0
 #define NACRE_FRINGE_RANGE_UM 10.0

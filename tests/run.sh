@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . demo/packages.sh
-install_packages $demo_packages libgtest-dev libcsv-dev glslang-tools libvulkan-dev mesa-vulkan-drivers gnuplot-nox python3-venv xvfb xdotool
+install_packages $demo_packages libgtest-dev libcsv-dev libbenchmark-dev glslang-tools libvulkan-dev mesa-vulkan-drivers gnuplot-nox python3-venv xvfb xdotool
 
 cmake -S . -B build/tests -DCMAKE_BUILD_TYPE=Release -DNACRE_WARNINGS_AS_ERRORS=ON
 cmake --build build/tests --parallel "$(nproc)"

@@ -23,20 +23,6 @@ using namespace nacre::test;
 
 const char* const vertexShader = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
 
-// All that a variant offers, used. stage: the inputs and the output with what the version asks of them.
-std::string useOf(const Features& f, const std::string& sampler = "uniform sampler2D fringeTable;\n")
-{
-    const bool hasTable = f.fringes == Fringes::table;
-    const std::string table = hasTable ? ", fringeTable" : "";
-    std::string text = hasTable ? sampler : "";
-    text += "void main()\n{\n    nacre_Material m = nacre_materialFromUniforms();\n    vec3 p = gl_FragCoord.xyz;\n";
-    text += f.thickness == ThicknessSource::map ? "    nacre_Surface s = nacre_Surface(p, p.yzx, p.x);\n"
-                                               : "    nacre_Surface s = nacre_surface(m, p, p.xyzx, p.zxy, mat3(1.0));\n";
-    text += "    nacre_Shading w = nacre_shading(m, s, p.zxy" + table + ");\n    vec3 sum = vec3(0.0);\n";
-    text += "    for (int i = 0; i < 2; ++i) sum += nacre_shade(m, w, p.yxz * float(i)" + table + ");\n";
-    return text + "    colour = vec4(sum, 1.0);\n}\n";
-}
-
 std::set<std::string> declaredUniforms(const std::string& text)
 {
     std::set<std::string> names;
@@ -74,7 +60,7 @@ TEST(Variants, LinkAndReadAllThatTheyDeclare)
         options.features = features;
         options.uniforms = GlslUniforms::plain;
         options.isResolved = true;
-        const std::string text = *glsl(options) + "out vec4 colour;\n" + useOf(features);
+        const std::string text = *glsl(options) + useOf(features);
         const Result<GLuint> program = demo::linkProgram(context().gl(), vertexShader, text);
         ASSERT_TRUE(program) << nameOf(features) << '\n' << program.error().message;
         ASSERT_EQ(activeUniforms(*program), declaredUniforms(text)) << nameOf(features);

@@ -4,12 +4,9 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
+
+#include "output_file.hpp"
 
 namespace nacre::demo {
 namespace {
@@ -32,43 +29,13 @@ Image image(const ImageBuf& buffer)
     return result;
 }
 
-Error cannotWrite(const fs::path& file, std::string why)
-{
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    return {"cannot write '" + file.string() + "': " + why};
-}
-
-// Writes beside the target and renames: under its name stands the old file or the whole new one.
-Outcome replaceFile(const fs::path& file, const std::vector<unsigned char>& bytes)
-{
-    std::error_code error;
-    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-    fs::path partial = target;
-    partial.replace_filename(".nacre-" + std::to_string(getpid()) + ".partial");
-    errno = 0;
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    error.clear();
-    if (stream) fs::rename(partial, target, error);
-    else error = std::error_code(errno ? errno : EIO, std::generic_category());
-    if (!error) return std::monostate{};
-    const std::string why = error.message();
-    fs::remove(partial, error);
-    return cannotWrite(file, why);
-}
-
 }  // namespace
 
 Outcome checkWritable(const fs::path& file)
 {
     const fs::path ending = file.extension();
     if (ending != ".png" && ending != ".exr") return cannotWrite(file, "expected a name that ends in .png or .exr");
-    const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    std::error_code ignored;
-    if (!fs::is_directory(directory, ignored)) return cannotWrite(file, "there is no directory '" + directory.string() + "'");
-    if (fs::is_directory(file, ignored)) return cannotWrite(file, "it is a directory");
-    return std::monostate{};
+    return checkPlace(file);
 }
 
 Outcome writeImage(const Image& image, const fs::path& file)
@@ -87,7 +54,7 @@ Outcome writeImage(const Image& image, const fs::path& file)
     OIIO::Filesystem::IOVecOutput memory(bytes);
     pixels.set_write_ioproxy(&memory);
     if (!pixels.write(file.string(), isPng ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT)) return cannotWrite(file, pixels.geterror());
-    return replaceFile(file, bytes);
+    return replaceFile(file, bytes.data(), bytes.size());
 }
 
 Image shrink(const Image& source, int factor)

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 
+#include <nacre/block.hpp>
+#include <nacre/lights.hpp>
+
 #include "glsl_conditionals.hpp"
 
 namespace nacre {
 namespace {
 
-constexpr int mostMaterials = 64;  // 16 KiB, the least that OpenGL promises of a block
+// 16 KiB, the least that OpenGL promises of a block.
+constexpr int mostMaterials = 16384 / sizeof(Block);
+constexpr int mostLights = (16384 - sizeof(LightHeader)) / sizeof(LightBlock);
 
 bool isSupported(const GlslOptions& options)
 {
@@ -27,24 +32,33 @@ std::string faultOf(const GlslOptions& options)
     if (materials < 1 || materials > mostMaterials) {
         return "expected 1 to " + std::to_string(mostMaterials) + " materials in the block, got " + std::to_string(materials);
     }
+    if (options.lights && options.features.lights > mostLights) {
+        return "expected at most " + std::to_string(mostLights) + " lights in the block, got " + std::to_string(options.features.lights);
+    }
     return {};
 }
 
-bool isWanted(const GlslFile& file, GlslUniforms uniforms)
+bool isWanted(const GlslFile& file, const GlslOptions& options)
 {
+    const GlslUniforms uniforms = options.uniforms;
+    if (file.name == "nacre_lights.glsl" || file.name == "nacre_light_block.glsl") return options.lights;
     if (file.name == "nacre_uniform_block.glsl") return uniforms == GlslUniforms::block;
     if (file.name == "nacre_uniforms.glsl") return uniforms == GlslUniforms::plain;
     if (file.name == "nacre_material_from_uniforms.glsl") return uniforms != GlslUniforms::none;
     return true;
 }
 
-// What precedes the functions: switches, and where Vulkan has the block.
+std::string vulkanLayout(const char* macro, int binding)
+{
+    return std::string("#define ") + macro + " layout(std140, set = 0, binding = " + std::to_string(binding) + ")\n";
+}
+
+// What precedes the functions: switches, and where Vulkan has the blocks.
 std::string defines(const GlslOptions& options)
 {
     std::string text = switches(options.features);
-    if (options.vulkan && options.uniforms == GlslUniforms::block) {
-        text += "#define NACRE_BLOCK_LAYOUT layout(std140, set = 0, binding = " + std::to_string(options.blockBinding) + ")\n";
-    }
+    if (options.vulkan && options.uniforms == GlslUniforms::block) text += vulkanLayout("NACRE_BLOCK_LAYOUT", options.blockBinding);
+    if (options.vulkan && options.lights) text += vulkanLayout("NACRE_LIGHT_LAYOUT", options.lightBinding);
     return text;
 }
 
@@ -69,7 +83,7 @@ std::string functions(const GlslOptions& options)
     int source = 0;
     for (const GlslFile& file : files) {
         ++source;
-        if (!isWanted(file, options.uniforms)) continue;
+        if (!isWanted(file, options)) continue;
         if (source > 1) resolved.push_back(file.text);
         text += "#line 1 " + std::to_string(source) + '\n';
         text += file.text;

@@ -1,7 +1,6 @@
 #include "glsl_conditionals.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <map>
 
@@ -12,7 +11,7 @@ using Macros = std::map<std::string, std::string, std::less<>>;
 
 bool isWordCharacter(char c)
 {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 std::string_view trimmed(std::string_view text)
@@ -110,14 +109,15 @@ std::string withWords(std::string_view line, const Macros& words)
     return result;
 }
 
-std::map<std::string, int, std::less<>> countWords(std::string_view text)
+// How often each of the library's macros is named.
+std::map<std::string_view, int> countMacros(std::string_view text)
 {
-    std::map<std::string, int, std::less<>> count;
-    for (std::size_t at = 0; at < text.size();) {
+    std::map<std::string_view, int> count;
+    for (std::size_t at = text.find("NACRE_"); at != std::string_view::npos; at = text.find("NACRE_", at)) {
         std::size_t end = at;
         while (end < text.size() && isWordCharacter(text[end])) ++end;
-        if (end > at) ++count[std::string(text.substr(at, end - at))];
-        at = std::max(end, at + 1);
+        ++count[text.substr(at, end - at)];
+        at = end;
     }
     return count;
 }
@@ -125,15 +125,18 @@ std::map<std::string, int, std::less<>> countWords(std::string_view text)
 // Numbers that only conditions asked for are named once, where they are defined.
 std::string withoutIdleMacros(std::string_view text)
 {
-    const auto count = countWords(text);
+    const auto count = countMacros(text);
+    const auto isIdle = [&](std::string_view line) {
+        if (line.substr(0, 14) != "#define NACRE_") return false;
+        line.remove_prefix(8);
+        const auto macro = count.find(takeWord(line));
+        return macro != count.end() && macro->second == 1;
+    };
     std::string result;
+    result.reserve(text.size());
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-        std::string_view rest = text.substr(0, end);
-        const bool isDefine = rest.substr(0, 14) == "#define NACRE_";
-        rest.remove_prefix(isDefine ? 8 : 0);
-        const auto word = count.find(takeWord(rest));
-        if (!(isDefine && word != count.end() && word->second == 1)) result += text.substr(0, end);
+        if (!isIdle(text.substr(0, end))) result += text.substr(0, end);
         text = text.substr(end);
     }
     return result;

@@ -52,4 +52,17 @@ std::string nameOf(const Features& features)
     return name;
 }
 
+std::string useOf(const Features& f, const std::string& output, const std::string& sampler)
+{
+    const bool hasTable = f.fringes == Fringes::table;
+    const std::string table = hasTable ? ", fringeTable" : "";
+    std::string text = output + (hasTable ? sampler : "");
+    text += "void main()\n{\n    nacre_Material m = nacre_materialFromUniforms();\n    vec3 p = gl_FragCoord.xyz;\n";
+    text += f.thickness == ThicknessSource::map ? "    nacre_Surface s = nacre_Surface(p, p.yzx, p.x);\n"
+                                               : "    nacre_Surface s = nacre_surface(m, p, p.xyzx, p.zxy, mat3(1.0));\n";
+    text += "    nacre_Shading w = nacre_shading(m, s, p.zxy" + table + ");\n    vec3 sum = vec3(0.0);\n";
+    text += "    for (int i = 0; i < 2; ++i) sum += nacre_shade(m, w, p.yxz * float(i)" + table + ");\n";
+    return text + "    colour = vec4(sum, 1.0);\n}\n";
+}
+
 }  // namespace nacre::test

@@ -33,13 +33,16 @@ struct GlslOptions {
     bool isResolved = false;  ///< For readers and for engines without a preprocessor: no conditionals, no #line.
     bool vulkan = false;      ///< GLSL for Vulkan: the block is at `set = 0, binding = blockBinding`.
     int blockBinding = 0;
+    bool lights = false;   ///< With nacre_lights.glsl and the block `nacre_Lights` for features.lights; see LightSource.
+    int lightBinding = 1;  ///< Of that block for Vulkan.
     const std::vector<GlslFile>* files = nullptr;  ///< Other texts in place of glslFiles(), by the same names in the same order.
 };
 
 /// The library as one text for a shader, to be followed by the host's own declarations and `main`:
 /// `#version`, precision for ES, the features' switches, then the functions that they leave. In a compiler's messages
 /// source N is `glslFiles()[N - 1]`, source 0 is what the host appends.
-/// Errors: a version that the library does not support, plain uniforms for Vulkan, more materials than a block holds.
+/// Errors: a version that the library does not support, plain uniforms for Vulkan, more materials or lights than a
+/// block holds.
 Result<std::string> glsl(const GlslOptions& options = {});
 
 /// The same without `#version` and precision, for a host that puts them itself: a chunk.

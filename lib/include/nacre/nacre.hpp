@@ -4,9 +4,11 @@
 
 #include <nacre/block.hpp>
 #include <nacre/evaluate.hpp>
+#include <nacre/feature_names.hpp>
 #include <nacre/features.hpp>
 #include <nacre/fringe_table.hpp>
 #include <nacre/glsl.hpp>
+#include <nacre/lights.hpp>
 #include <nacre/material.hpp>
 #include <nacre/parameters.hpp>
 #include <nacre/presets.hpp>

@@ -5,7 +5,7 @@ set -eu
 shaders=$1
 work=$2
 mkdir -p "$work"
-order="config channels material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical physical_light quality"
+order="config channels material direction power fresnel phase interference upper_lobe lower_lobe diffuse noise thickness lower_normal surface layered complex boundary fringe fringe_table airy physical_lobes physical physical_light quality lights light_block"
 checked=0
 for version in "330 core" "410 core" "450 core" "300 es" "310 es"; do
     for uniforms in uniforms uniform_block; do
@@ -25,7 +25,10 @@ void main()
     nacre_Shading w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8));
     colour = vec4(nacre_shade(m, w, vec3(0.0, 0.0, 1.0)), 1.0);
     w = nacre_shading(m, s, vec3(0.0, 0.6, 0.8), fringeTable);
-    colour.xyz += nacre_shade(m, w, vec3(0.0, 0.0, 1.0), fringeTable);
+    for (int i = 0; i < nacre_lightCount(); ++i) {
+        nacre_Incidence light = nacre_incidence(nacre_lightSource(i), gl_FragCoord.xyz);
+        colour.xyz += light.radiance * nacre_shade(m, w, light.direction, fringeTable);
+    }
 }
 MAIN
         glslangValidator "$file" || { echo "fails as #version $version with nacre_$uniforms.glsl" >&2; exit 1; }
