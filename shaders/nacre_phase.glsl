@@ -22,12 +22,17 @@ highp vec3 nacre_head(highp vec3 a)
     return uintBitsToFloat(floatBitsToUint(a) & uvec3(0xFFFFF000u));
 }
 
+// A thickness that is none (negative, NaN, above a metre, where products would overflow before long) counts as 0; the
+// comparison is one that NaN fails.
+highp float nacre_sound(highp float thicknessUm)
+{
+    return thicknessUm >= 0.0 && thicknessUm <= 1e6 ? thicknessUm : 0.0;
+}
+
 // cyclesPerUm, cyclesPerUmTail: r1 / lambda as the host split it, nacre_Material.
-// A thickness that is none (negative, NaN, above a metre, where the products below would overflow before
-// long) counts as 0; the comparison is one that NaN fails.
 nacre_Path nacre_path(highp vec3 cyclesPerUm, highp vec3 cyclesPerUmTail, highp float thicknessUm)
 {
-    thicknessUm = thicknessUm >= 0.0 && thicknessUm <= 1e6 ? thicknessUm : 0.0;
+    thicknessUm = nacre_sound(thicknessUm);
 #if NACRE_SPLIT_PHASE
     highp float thickness = nacre_head(thicknessUm);
     highp vec3 product = cyclesPerUm * thickness;  // exact

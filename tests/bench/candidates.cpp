@@ -112,6 +112,8 @@ Result<Candidate> variant(const Variant& v)
     candidate->features = canonical(*features);
     candidate->isDetail = v.isDetail;
     candidate->film.hasMetals = v.material.quality == Quality::paper || candidate->features.metal;
+    // A detail is timed alone; those of constant thickness or the library's own would not ask for a film's anyway.
+    if (v.isDetail) candidate->film = {};
     if (candidate->features.fringes == Fringes::table) {
         Result<Table> table = fringeTable();
         if (!table) return table.error();

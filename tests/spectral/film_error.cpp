@@ -19,6 +19,12 @@ double uniform(std::mt19937_64& random, double least, double most)
     return least + (most - least) * static_cast<double>(random() >> 11U) * 0x1p-53;
 }
 
+std::function<double(double)> indexOf(const FilmCase& film)
+{
+    if (film.dispersionUm2 == 0.0) return [n = film.index](double) { return n; };  // to the last bit in every channel
+    return cauchy(film.index - film.dispersionUm2 / (0.525 * 0.525), film.dispersionUm2);
+}
+
 }  // namespace
 
 Result<std::vector<FilmCase>> randomFilms(FilmSet set, std::size_t count, unsigned seed, double leastNm, double mostNm)
@@ -76,7 +82,7 @@ Material materialOf(const FilmCase& film, Quality quality)
 {
     Material material;
     material.quality = quality;
-    material.ior = glm::dvec3(film.index);
+    for (int channel = 0; channel < 3; ++channel) material.ior[channel] = indexOf(film)(channelNm[channel]);
     material.upperExponent = material.lowerExponent = 0.0;
     material.diffuseWeight = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
@@ -98,7 +104,7 @@ glm::dvec3 libraryColour(const FilmCase& film, const FringeTable* table)
 
 glm::dvec3 trueColour(const FilmCase& film, const Observer& observer)
 {
-    const auto index = [&](double) { return film.index; };
+    const auto index = indexOf(film);
     const auto colour = [&](const std::function<std::complex<double>(double)>& substrate) {
         return observer.colour(SpectralFilm{index, substrate, film.thicknessNm, film.cosTheta});
     };

@@ -23,6 +23,7 @@ struct FilmCase {
     std::complex<double> substrate[3];  ///< At 645, 525, 445 nm.
     std::function<std::complex<double>(double)> measured;  ///< Empty but for measured metals.
     double thicknessNm, cosTheta;
+    double dispersionUm2 = 0.0;  ///< b of Cauchy's n(λ) = a + b / λ²; `index` is then the one at 525 nm.
 };
 
 /// Film index 1.25 to 1.9, cosine 0.05 to 1, thickness between the bounds, all uniform. The same seed

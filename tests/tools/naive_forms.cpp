@@ -77,8 +77,11 @@ Result<std::string> withNaiveForm(const std::string& library, const std::string&
         names += (names.empty() ? "" : ", ") + form.name;
         if (form.name != name) continue;
         if (form.isSwitch) {
-            const std::size_t afterVersion = library.find('\n') + 1;
-            return library.substr(0, afterVersion) + form.text + library.substr(afterVersion);
+            // The features' own line for the switch gives way.
+            const std::string define = form.text.substr(0, form.text.rfind(' ') + 1);
+            const std::size_t at = library.find(define);
+            if (at == std::string::npos) return Error{"naive forms: the library's text has no " + define};
+            return library.substr(0, at) + form.text + library.substr(library.find('\n', at) + 1);
         }
         // All that uses the function stands in nacre_layered.glsl, or behind it.
         std::size_t source = 1;
