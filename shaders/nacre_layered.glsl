@@ -21,7 +21,8 @@ struct nacre_View {
     nacre_Channels lowerCosine;   // <t_o, n1>
 #endif
 #if NACRE_SPECULAR && NACRE_PAPER
-    nacre_Channels sqrtTransmittance;  // root of the transmittance out of the layer, Eq 9; 0: no way out
+    nacre_Channels sqrtTransmittance;  // root of the transmittance out of the layer, Eq 9, and of the part of that into it
+                                       // which no angle changes, 1 - f; 0: no way out
     nacre_Path path;          // r1 d / lambda
 #endif
     vec3 diffuse;             // rho_d, Eq 16, times its weight
@@ -54,11 +55,10 @@ void nacre_viewThroughLayer(nacre_Material m, nacre_Surface s, inout nacre_View 
 
 #if NACRE_PAPER
 
-// Root of the transmittance out of the layer, Eq 9; 0 where the viewer's ray leaves it on the far side or not at all.
+// 0 where the viewer's ray leaves the layer on the far side or not at all.
 nacre_Channels nacre_sqrtTransmittanceOut(nacre_Material m, nacre_View w)
 {
-    nacre_Channels transmittance = (1.0 - m.normalReflectance) * nacre_transmittanceShape(w.cosRefracted);
-    nacre_Channels root = sqrt(max(transmittance, 0.0));
+    nacre_Channels root = (1.0 - m.normalReflectance) * sqrt(max(nacre_transmittanceShape(w.cosRefracted), 0.0));
 #if NACRE_TILT
     return mix(nacre_Channels(0.0), root, nacre_less(w.lowerCosine, nacre_Channels(0.0)));
 #else
@@ -146,8 +146,7 @@ nacre_Terms nacre_terms(nacre_Material m, nacre_View w, vec3 l)
         t.lowerOneMinus = nacre_lowerLobeOneMinus(m.etaSquared, w.upperNormal, halfVector, cosTheta, w.cosTheta,
                                                   cosRefracted, w.cosRefracted);
 #endif
-        nacre_Channels transmittance = (1.0 - m.normalReflectance) * nacre_transmittanceShape(cosTheta);
-        t.sqrtT = sqrt(transmittance) * w.sqrtTransmittance * nacre_powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
+        t.sqrtT = sqrt(nacre_transmittanceShape(cosTheta)) * w.sqrtTransmittance * nacre_powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
 #if NACRE_STABLE_LOBES
         t.sqrtT = mix(none, t.sqrtT, nacre_less(t.lowerOneMinus, nacre_Channels(1.0)));  // an exponent of 0 has 0^0
 #endif

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -52,10 +53,11 @@ TEST(Variants, LinkAndReadAllThatTheyDeclare)
 {
     const std::vector<Features> variants = everyVariant();
     const auto start = std::chrono::steady_clock::now();
-    std::size_t linked = 0;
+    const bool isEvery = std::getenv("NACRE_EVERY_VARIANT") != nullptr;
+    std::size_t linked = 0, index = 0;
     for (const Features& features : variants) {
-        // Sanitizers look for undefined behaviour, which a seventh of the variants shows as well.
-        if (NACRE_SANITIZED && key(features) % 7 != 0) continue;
+        // With NACRE_EVERY_VARIANT set all of them, else a third; sanitizers look for undefined behaviour, which fewer show as well.
+        if (!isEvery && index++ % (NACRE_SANITIZED ? 20 : 3) != 0) continue;
         GlslOptions options;
         options.features = features;
         options.uniforms = GlslUniforms::plain;
@@ -69,7 +71,7 @@ TEST(Variants, LinkAndReadAllThatTheyDeclare)
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%zu of %zu variants linked in %.1f s\n", linked, variants.size(), seconds.count());
-    EXPECT_GT(linked, variants.size() / 10);
+    EXPECT_GT(linked, variants.size() / 30);
 }
 
 }  // namespace

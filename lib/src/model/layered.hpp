@@ -37,8 +37,7 @@ struct Terms {
 
 inline dvec3 sqrtTransmittanceOut(const Material& m, const View& w)
 {
-    const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(w.cosRefracted);
-    const dvec3 root = sqrt(max(transmittance, 0.0));
+    const dvec3 root = (1.0 - m.normalReflectance) * sqrt(max(transmittanceShape(w.cosRefracted), 0.0));
     return mix(dvec3(0.0), root, lessThan(w.lowerCosine, dvec3(0.0)));
 }
 
@@ -91,9 +90,8 @@ inline Terms terms(const Material& m, const View& w, dvec3 l)
                                             cosRefracted + w.cosRefracted, lowerCosineI - w.lowerCosine);
         // The three null conditions under Eq 10, of which the viewer's is in w.sqrtTransmittance: the light's ray, the lobe.
         const glm::bvec3 meets = lessThan(max(lowerCosineI, t.lowerOneMinus - 1.0), dvec3(0.0));
-        const dvec3 transmittance = (1.0 - m.normalReflectance) * transmittanceShape(cosTheta);
         const dvec3 lobe = powerOneMinus(t.lowerOneMinus, 0.5 * m.lowerExponent);
-        t.sqrtT = mix(dvec3(0.0), sqrt(transmittance) * w.sqrtTransmittance * lobe, meets);
+        t.sqrtT = mix(dvec3(0.0), std::sqrt(transmittanceShape(cosTheta)) * w.sqrtTransmittance * lobe, meets);
         t.sqrtT = mix(t.sqrtT, dvec3(0.0), reflectsAll);
 
         t.cycles = pathCycles(w.path, cosRefracted + w.cosRefracted);
