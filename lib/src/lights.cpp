@@ -1,26 +1,16 @@
 #include <nacre/lights.hpp>
 
 #include <cstring>
-#include <locale>
-#include <sstream>
 #include <string>
 
 #include "model/lights.hpp"
+#include "number_text.hpp"
 
 namespace nacre {
 namespace {
 
 // So bright at most, and so far away, that no float32 product in the shader overflows.
 constexpr double brightest = 1e9, farthest = 1e12;
-
-std::string text(double value)
-{
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    stream.precision(9);
-    stream << value;
-    return stream.str();
-}
 
 // The first fault that is found; builds no text unless there is one.
 class Check {

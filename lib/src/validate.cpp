@@ -1,21 +1,11 @@
 #include <nacre/validate.hpp>
 
-#include <cmath>
-#include <sstream>
-
 #include <nacre/parameters.hpp>
+
+#include "number_text.hpp"
 
 namespace nacre {
 namespace {
-
-std::string text(double value)
-{
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    stream.precision(9);
-    stream << value;
-    return stream.str();
-}
 
 // Builds no text unless there is a fault: packing a valid material allocates nothing.
 void checkRange(std::vector<Fault>& faults, const Parameter& parameter, double value, const char* channel = "")
